@@ -1,0 +1,551 @@
+//! Midpoint-radius enclosures: a number known up to an error.
+//!
+//! Every operation encloses all results that its operands' enclosures admit
+//! (Johansson: Arb: efficient arbitrary-precision midpoint-radius interval
+//! arithmetic, 2017). Midpoints are rounded to the bits asked for, and to what
+//! the radius justifies; the radius takes up what that leaves out.
+
+use std::cmp::Ordering;
+use std::ops::Neg;
+
+use num_bigint::{BigInt, Sign};
+use num_rational::BigRational;
+
+use super::dyadic::Dyadic;
+use super::interval::Interval;
+use super::isqrt::isqrt;
+use super::radius::{MAX_EXPONENT, Radius};
+use super::rounding::{Leading, Rounding};
+
+/// The numbers at most `rad` away from `mid`.
+///
+/// Where the radius is [`Radius::UNKNOWN`], that is any number.
+#[derive(Clone, Debug)]
+pub(crate) struct Ball {
+    mid: Dyadic,
+    rad: Radius,
+}
+
+/// A ball that is only looked at; any [`Dyadic`] is one as it stands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BallRef<'a> {
+    mid: &'a Dyadic,
+    rad: Radius,
+}
+
+/// Bits that a midpoint keeps below its radius, so that rounding it adds next
+/// to nothing to the radius.
+const GUARD: i64 = 32;
+
+/// Bits too many that are not worth the effort of removing them.
+const SLACK: i64 = 32;
+
+impl Ball {
+    /// Encloses `mid` ± `rad` with a midpoint of about so many bits.
+    #[inline]
+    fn rounded(mid: Dyadic, rad: Radius, bits: u32) -> Self {
+        let top = mid.top();
+        if rad.is_unknown() || top > MAX_EXPONENT {
+            return Self::unknown();
+        }
+        // A radius is never less than this, so no midpoint need be finer.
+        let floor = floor_of(rad).max(-MAX_EXPONENT);
+        Self { mid, rad }.floored(floor.max(top - i64::from(bits)))
+    }
+
+    /// Moves what the midpoint has below 2^`floor` into the radius.
+    #[inline]
+    fn floored(mut self, floor: i64) -> Self {
+        let worthwhile = floor - self.mid.exponent() >= SLACK;
+        if worthwhile && self.mid.floor_at(floor) {
+            self.rad = self.rad.add(Radius::power_of_two(floor));
+        }
+        self
+    }
+
+    /// A ball about an exact number.
+    pub(crate) fn from_dyadic(number: Dyadic, bits: u32) -> Self {
+        Self::rounded(number, Radius::ZERO, bits)
+    }
+
+    /// A ball about a fraction.
+    pub(crate) fn from_ratio(ratio: &BigRational, bits: u32) -> Self {
+        let numerator = Dyadic::new(ratio.numer().clone(), 0);
+        let denominator = Dyadic::new(ratio.denom().clone(), 0);
+        BallRef::exact(&numerator).div(BallRef::exact(&denominator), bits)
+    }
+
+    /// Any number.
+    pub(crate) fn unknown() -> Self {
+        Self {
+            mid: Dyadic::zero(),
+            rad: Radius::UNKNOWN,
+        }
+    }
+
+    /// The numbers from zero up to a bound.
+    fn up_to(bound: Radius) -> Self {
+        let rad = bound.half();
+        let mid = rad.to_dyadic();
+        if rad.is_unknown() {
+            Self::unknown()
+        } else {
+            Self { mid, rad }
+        }
+    }
+
+    #[inline]
+    pub(crate) fn view(&self) -> BallRef<'_> {
+        BallRef {
+            mid: &self.mid,
+            rad: self.rad,
+        }
+    }
+
+    /// The sum. Bits of either midpoint far below the radius of the sum are
+    /// not added up.
+    #[inline]
+    pub(crate) fn add(self, other: BallRef<'_>, bits: u32) -> Self {
+        let rad = self.rad.add(other.rad);
+        if rad.is_unknown() {
+            return Self::unknown();
+        }
+        let lowest = self.mid.exponent().min(other.mid.exponent());
+        let floor = floor_of(rad);
+        if floor - lowest < SLACK {
+            return Self::rounded(self.mid.add(other.mid), rad, bits);
+        }
+        // Each midpoint is lowered by less than 2^floor.
+        let rad = rad.add(Radius::power_of_two(floor + 1));
+        Self::rounded(self.mid.add_floored(other.mid, floor), rad, bits)
+    }
+}
+
+impl Neg for Ball {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            mid: -self.mid,
+            rad: self.rad,
+        }
+    }
+}
+
+/// The exponent below which a radius makes bits of a midpoint pointless.
+#[inline]
+fn floor_of(rad: Radius) -> i64 {
+    rad.top() - GUARD
+}
+
+impl<'a> BallRef<'a> {
+    #[inline]
+    pub(crate) fn exact(mid: &'a Dyadic) -> Self {
+        let rad = Radius::ZERO;
+        Self { mid, rad }
+    }
+
+    #[inline]
+    fn is_unknown(self) -> bool {
+        self.rad.is_unknown()
+    }
+
+    /// Whether the ball is a single number.
+    pub(crate) fn is_exact(self) -> bool {
+        self.rad.is_zero()
+    }
+
+    /// The binary64 nearest to the midpoint.
+    pub(crate) fn to_f64(self) -> f64 {
+        self.mid.to_f64(Rounding::Nearest)
+    }
+
+    fn to_ball(self) -> Ball {
+        Ball {
+            mid: self.mid.clone(),
+            rad: self.rad,
+        }
+    }
+
+    pub(crate) fn add(self, other: BallRef<'_>, bits: u32) -> Ball {
+        self.to_ball().add(other, bits)
+    }
+
+    pub(crate) fn sub(self, other: BallRef<'_>, bits: u32) -> Ball {
+        -(-self.to_ball()).add(other, bits)
+    }
+
+    /// (a ± r) (b ± s) lies within |a| s + (|b| + s) r of a b.
+    #[inline]
+    pub(crate) fn mul(self, other: BallRef<'_>, bits: u32) -> Ball {
+        let (a, b) = (Radius::above(self.mid), Radius::above(other.mid));
+        let rad = a.mul(other.rad).add(b.add(other.rad).mul(self.rad));
+        Ball::rounded(self.mid.mul(other.mid), rad, bits)
+    }
+
+    /// (a ± r)² lies within (2 |a| + r) r of a², and above zero.
+    #[inline]
+    pub(crate) fn square(self, bits: u32) -> Ball {
+        let a = Radius::above(self.mid);
+        if self.sign().is_none() {
+            let upper = a.add(self.rad);
+            return Ball::up_to(upper.mul(upper));
+        }
+        let rad = a.add(a).add(self.rad).mul(self.rad);
+        Ball::rounded(self.mid.mul(self.mid), rad, bits)
+    }
+
+    /// (a ± r) / (b ± s) lies within (r + |a / b| s) / (|b| - s) of a / b;
+    /// nothing is known if the divisor contains zero.
+    pub(crate) fn div(self, other: BallRef<'_>, bits: u32) -> Ball {
+        let divisor = Radius::below_down(other.mid).sub_down(other.rad);
+        if divisor.is_zero() {
+            return Ball::unknown();
+        }
+        let bits = self.useful_bits(bits).min(other.useful_bits(bits));
+        let quotient = truncated_quotient(self.mid, other.mid, bits);
+        let unit = Radius::power_of_two(quotient.exponent());
+        let magnitude = Radius::above(&quotient).add(unit);
+        let rad = magnitude.mul(other.rad).add(self.rad).div(divisor);
+        Ball::rounded(quotient, rad.add(unit), bits)
+    }
+
+    /// √(a ± r) lies within r / (√a + √(a - r)) of √a; a ball that contains
+    /// zero is cut off there.
+    pub(crate) fn sqrt(self, bits: u32) -> Ball {
+        let middle = Radius::below_down(self.mid);
+        let lowest = middle.sub_down(self.rad);
+        if lowest.is_zero() || self.mid.sign() != Ordering::Greater {
+            return self.sqrt_from_zero();
+        }
+        let bits = self.useful_bits(bits);
+        let root = truncated_sqrt(self.mid, bits);
+        let unit = Radius::power_of_two(root.exponent());
+        let rad = self
+            .rad
+            .div(middle.sqrt_down().add_down(lowest.sqrt_down()));
+        Ball::rounded(root, rad.add(unit), bits)
+    }
+
+    /// From zero up to the root of the upper end.
+    fn sqrt_from_zero(self) -> Ball {
+        let middle = match self.mid.sign() {
+            Ordering::Greater => Radius::above(self.mid),
+            _ => Radius::ZERO,
+        };
+        Ball::up_to(middle.add(self.rad).sqrt())
+    }
+
+    /// How many of the bits asked for a result can be worth: not many more
+    /// than are certain here.
+    #[inline]
+    fn useful_bits(self, bits: u32) -> u32 {
+        let certain = self.mid.top() - floor_of(self.rad);
+        certain.min(i64::from(bits)).max(1) as u32
+    }
+
+    /// The sign, where it is certain.
+    #[inline]
+    pub(crate) fn sign(self) -> Option<Ordering> {
+        let certain = self.is_exact() || Radius::below_down(self.mid) > self.rad;
+        certain.then(|| self.mid.sign())
+    }
+
+    /// How many bits are certain: the greatest n found with an error of at
+    /// most 2^-n, relative to the number; none for an exact number.
+    pub(crate) fn accuracy(self) -> Option<i64> {
+        if self.is_exact() {
+            return None;
+        }
+        let lowest = Radius::below_down(self.mid).sub_down(self.rad);
+        // The number is at least 2^(top - 1), the error less than 2^top.
+        Some((lowest.top() - 1 - self.rad.top()).max(0))
+    }
+
+    /// Binary64 bounds.
+    pub(crate) fn hull(self) -> Interval {
+        if self.is_unknown() {
+            return Interval::UNBOUNDED;
+        }
+        if self.is_exact() {
+            return Interval::new(
+                self.mid.to_f64(Rounding::Down),
+                self.mid.to_f64(Rounding::Up),
+            );
+        }
+        let (lo, hi, exponent) = self.leading_bounds();
+        Interval::new(
+            signed_to_f64(lo, exponent, Rounding::Down),
+            signed_to_f64(hi, exponent, Rounding::Up),
+        )
+    }
+
+    /// Bounds in units of a power of two, from the leading bits alone.
+    fn leading_bounds(self) -> (i128, i128, i64) {
+        let leading = self.mid.leading();
+        // The unit in which the larger one has 64 bits.
+        let exponent = match self.mid.is_zero() {
+            true => self.rad.top() - 64,
+            false => leading.exponent.max(self.rad.top() - 64),
+        };
+        let shift = (exponent - leading.exponent).clamp(0, 64) as u32;
+        let magnitude = i128::from(leading.bits) >> shift;
+        let more = leading.more || magnitude << shift != i128::from(leading.bits);
+        let rad = i128::from(self.rad.in_units(exponent));
+        let (near, far) = (magnitude - rad, magnitude + i128::from(more) + rad);
+        match self.mid.sign() {
+            Ordering::Less => (-far, -near, exponent),
+            _ => (near, far, exponent),
+        }
+    }
+
+    /// The ends, unless nothing is known.
+    pub(crate) fn ends(self) -> Option<(BigRational, BigRational)> {
+        if self.is_unknown() {
+            return None;
+        }
+        let rad = self.rad.to_dyadic();
+        let lower = self.mid.clone().add(&-rad.clone());
+        let upper = self.mid.clone().add(&rad);
+        Some((lower.to_rational(), upper.to_rational()))
+    }
+}
+
+/// The binary64 neighbour of `mantissa` × 2^`exponent`.
+fn signed_to_f64(mantissa: i128, exponent: i64, rounding: Rounding) -> f64 {
+    Leading::of_u128(mantissa.unsigned_abs(), exponent).to_f64(mantissa < 0, rounding)
+}
+
+/// A quotient of at least so many bits, rounded towards zero.
+fn truncated_quotient(a: &Dyadic, b: &Dyadic, bits: u32) -> Dyadic {
+    let wanted = i64::from(bits) + b.mantissa().bits() as i64;
+    let shift = (wanted - a.mantissa().bits() as i64).max(0);
+    let quotient = (a.mantissa() << shift) / b.mantissa();
+    Dyadic::new(quotient, a.exponent() - shift - b.exponent())
+}
+
+/// The square root of a positive number to at least so many bits, rounded
+/// down.
+fn truncated_sqrt(number: &Dyadic, bits: u32) -> Dyadic {
+    let shift = 2 * i64::from(bits) - number.mantissa().bits() as i64;
+    // The exponent that is halved has to be even.
+    let shift = shift + ((number.exponent() - shift) & 1);
+    let magnitude = number.mantissa().magnitude();
+    // Bits that are cut off do not affect the root rounded down.
+    let root = if shift >= 0 {
+        isqrt(&(magnitude << shift))
+    } else {
+        isqrt(&(magnitude >> -shift))
+    };
+    let mantissa = BigInt::from_biguint(Sign::Plus, root);
+    Dyadic::new(mantissa, (number.exponent() - shift) / 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use num_traits::{One, Signed, Zero};
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Balls of up to 1024 bits, some exact, some around zero, and a point in
+    /// each, as a fraction of its radius.
+    fn ball() -> impl Strategy<Value = (Ball, BigRational)> {
+        let mid = (
+            prop::collection::vec(any::<u32>(), 0..33),
+            any::<bool>(),
+            -400..100_i64,
+        );
+        let rad = prop_oneof![
+            Just(Radius::ZERO),
+            (any::<u32>(), -500..100_i64)
+                .prop_map(|(bits, exponent)| Radius::up(bits.into(), exponent)),
+        ];
+        let place = prop_oneof![-3..=3_i32, Just(-3), Just(3)];
+        (mid, rad, place).prop_map(|((digits, negative, exponent), rad, place)| {
+            let sign = if negative { Sign::Minus } else { Sign::Plus };
+            let mid = Dyadic::new(BigInt::new(sign, digits), exponent);
+            let offset = to_rational(rad) * BigRational::new(place.into(), 3.into());
+            let point = mid.to_rational() + offset;
+            (Ball { mid, rad }, point)
+        })
+    }
+
+    fn precision() -> impl Strategy<Value = u32> {
+        prop_oneof![Just(1), Just(2), 3..64_u32, Just(128), Just(1024)]
+    }
+
+    fn to_rational(rad: Radius) -> BigRational {
+        if rad.is_zero() {
+            BigRational::zero()
+        } else {
+            rad.to_dyadic().to_rational()
+        }
+    }
+
+    fn contains(ball: &Ball, point: &BigRational) -> bool {
+        ball.view()
+            .ends()
+            .is_none_or(|(lo, hi)| lo <= *point && *point <= hi)
+    }
+
+    fn exact(integer: i64) -> Ball {
+        Ball::from_dyadic(Dyadic::new(integer.into(), 0), 64)
+    }
+
+    #[test]
+    fn unknown_stays_unknown() {
+        let (unknown, zero, one) = (Ball::unknown(), exact(0), exact(1));
+        let (u, z, o) = (unknown.view(), zero.view(), one.view());
+        let results = [
+            u.add(o, 64),
+            o.sub(u, 64),
+            u.mul(o, 64),
+            u.div(o, 64),
+            o.div(u, 64),
+        ];
+        let more = [
+            u.square(64),
+            u.sqrt(64),
+            o.div(z, 64),
+            z.div(z, 64),
+            -unknown.clone(),
+        ];
+        for result in results.iter().chain(&more) {
+            assert!(result.view().is_unknown());
+            assert_eq!(result.view().sign(), None);
+            assert_eq!(result.view().ends(), None);
+            assert_eq!(result.view().hull(), Interval::UNBOUNDED);
+            assert_eq!(result.view().accuracy(), Some(0));
+        }
+    }
+
+    /// Squares run out of any range, upwards and downwards, and stay true.
+    #[test]
+    fn extremes_are_tamed() {
+        let mut large = Ball::from_dyadic(Dyadic::new(3.into(), 5000), 64);
+        let mut small = Ball::from_dyadic(Dyadic::new(3.into(), -5000), 64);
+        for _ in 0..80 {
+            large = large.view().square(64);
+            small = small.view().square(64);
+        }
+        assert!(large.view().is_unknown());
+        assert!(!small.view().is_unknown());
+        assert_eq!(small.view().sign(), None);
+        assert!(small.view().hull().hi() > 0.0);
+    }
+
+    #[test]
+    fn roots_of_balls_around_zero_start_there() {
+        let ball = Ball {
+            mid: Dyadic::zero(),
+            rad: Radius::power_of_two(4),
+        };
+        let (lo, hi) = ball.view().sqrt(64).view().ends().unwrap();
+        assert!(lo.is_zero());
+        assert_eq!(hi, BigRational::from_integer(4.into()));
+        let negative = exact(-4).view().sqrt(64);
+        assert!(contains(&negative, &BigRational::zero()));
+    }
+
+    #[test]
+    fn accuracy_is_relative() {
+        let rad = Radius::power_of_two(-50);
+        let ball = |mid: i64| Ball {
+            mid: Dyadic::new(mid.into(), 0),
+            rad,
+        };
+        assert_eq!(exact(3).view().accuracy(), None);
+        let certain = ball(1 << 20).view().accuracy().unwrap();
+        assert!((67..=70).contains(&certain), "{certain}");
+        assert_eq!(ball(0).view().accuracy(), Some(0));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn sums_enclose((a, x) in ball(), (b, y) in ball(), bits in precision()) {
+            prop_assert!(contains(&a.view().add(b.view(), bits), &(&x + &y)));
+            prop_assert!(contains(&a.view().sub(b.view(), bits), &(&x - &y)));
+        }
+
+        #[test]
+        fn products_enclose((a, x) in ball(), (b, y) in ball(), bits in precision()) {
+            prop_assert!(contains(&a.view().mul(b.view(), bits), &(&x * &y)));
+            let square = a.view().square(bits);
+            prop_assert!(contains(&square, &(&x * &x)));
+            prop_assert!(a.view().is_exact() || square.view().hull().hi() > 0.0);
+        }
+
+        #[test]
+        fn quotients_enclose((a, x) in ball(), (b, y) in ball(), bits in precision()) {
+            let quotient = a.view().div(b.view(), bits);
+            prop_assert!(y.is_zero() || contains(&quotient, &(&x / &y)));
+            let certain = b.view().sign().is_some_and(Ordering::is_ne);
+            prop_assert_eq!(quotient.view().is_unknown(), !certain);
+        }
+
+        #[test]
+        fn roots_enclose((a, x) in ball(), bits in precision()) {
+            let (lo, hi) = a.view().sqrt(bits).view().ends().unwrap();
+            if !x.is_negative() {
+                prop_assert!(&hi * &hi >= x);
+                prop_assert!(!lo.is_positive() || &lo * &lo <= x);
+            }
+        }
+
+        #[test]
+        fn signs_are_true((a, x) in ball()) {
+            if let Some(sign) = a.view().sign() {
+                prop_assert_eq!(sign, x.cmp(&BigRational::zero()));
+            }
+        }
+
+        #[test]
+        fn accuracy_is_not_overstated((a, x) in ball()) {
+            if let Some(certain) = a.view().accuracy().filter(|&certain| certain > 0) {
+                let unit = x.abs() / BigRational::from_integer(BigInt::one() << certain);
+                prop_assert!(to_rational(a.rad) <= unit);
+            }
+        }
+
+        #[test]
+        fn hulls_are_tight((a, _) in ball()) {
+            let (lo, hi) = a.view().ends().unwrap();
+            let hull = a.view().hull();
+            let end = |end: f64| BigRational::from_float(end).unwrap();
+            prop_assert!(end(hull.lo()) <= lo && hi <= end(hull.hi()));
+            // A 2^-50 of the larger of midpoint and radius.
+            let size = a.mid.to_rational().abs() + to_rational(a.rad);
+            let slack = size / BigRational::from_integer(BigInt::one() << 50);
+            prop_assert!(lo - end(hull.lo()) <= slack && end(hull.hi()) - hi <= slack);
+        }
+
+        /// What exact operands give loses next to nothing but the last bit.
+        #[test]
+        fn results_have_the_bits_asked_for(
+            a in prop::collection::vec(1..u32::MAX, 1..40),
+            b in prop::collection::vec(1..u32::MAX, 1..40),
+            bits in 2..1200_u32,
+        ) {
+            let ball = |digits| Ball {
+                mid: Dyadic::new(BigInt::new(Sign::Plus, digits), -300),
+                rad: Radius::ZERO,
+            };
+            let (a, b) = (ball(a), ball(b));
+            let results = [
+                a.view().add(b.view(), bits),
+                a.view().mul(b.view(), bits),
+                a.view().div(b.view(), bits),
+                a.view().square(bits),
+                a.view().sqrt(bits),
+            ];
+            for result in results {
+                let certain = result.view().accuracy();
+                prop_assert!(certain.is_none_or(|certain| certain >= i64::from(bits) - 4));
+                prop_assert!(result.mid.mantissa().bits() <= u64::from(bits) + 2 * SLACK as u64);
+            }
+        }
+    }
+}

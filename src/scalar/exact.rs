@@ -1,0 +1,636 @@
+//! Exact numbers: rationals as long as they last, proven enclosures beyond.
+
+use std::borrow::Cow;
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use super::ball::{Ball, BallRef};
+use super::dyadic::Dyadic;
+use super::isqrt::exact_sqrt;
+use super::rounding::{Rounding, ratio_to_f64};
+use super::{Interval, Number, Scalar, Undecided};
+
+/// The bits of an enclosure where no operand says how many.
+const DEFAULT_BITS: u32 = 128;
+
+/// A number that is known exactly, or enclosed and proven to lie within.
+///
+/// Results are rational, without any rounding, as long as their operands are
+/// and [`RATIONAL_BITS`](Self::RATIONAL_BITS) are enough; then, and at every root of what is not
+/// the square of a rational, they become midpoint-radius enclosures. Zero is
+/// the exception to the rule that an enclosure stays one: zero times anything
+/// is zero, and adding zero changes nothing.
+///
+/// A number carries the bits of the enclosures that come from it: those it
+/// was made with, or for a result, the most that any operand carries.
+///
+/// The quotient by zero, or by an enclosure that contains zero, is an
+/// enclosure of all numbers: it decides nothing. Whoever divides decides the
+/// sign of the divisor first.
+///
+/// # Examples
+///
+/// ```
+/// use std::cmp::Ordering;
+/// use carom::scalar::{Exact, Number, Scalar};
+///
+/// let two = Exact::from_number(&Number::from(2), 64);
+/// let root = two.sqrt();
+/// assert!(!root.is_rational());
+/// let close = Exact::from_number(&"1.4142135623730950488".parse()?, 64);
+/// assert_eq!(root.compare(&close), Ok(Ordering::Greater));
+/// assert!(root.square().compare(&two).is_err(), "enclosures cannot tell equality");
+/// # Ok::<(), carom::scalar::NumberError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Exact {
+    value: Value,
+    /// The bits of enclosures, or zero: those of what it meets.
+    bits: u32,
+}
+
+#[derive(Clone, Debug)]
+enum Value {
+    /// Normalised.
+    Dyadic(Dyadic),
+    /// In lowest terms, and not dyadic.
+    Ratio(Box<BigRational>),
+    /// All else.
+    Ball(Ball),
+}
+
+impl Exact {
+    /// The bits of the numerator and the denominator of a rational, together,
+    /// up to which it is computed with as such. A longer one becomes an
+    /// enclosure.
+    pub const RATIONAL_BITS: u64 = 4096;
+
+    /// Whether the number is known exactly, as a rational.
+    pub fn is_rational(&self) -> bool {
+        match &self.value {
+            Value::Dyadic(_) | Value::Ratio(_) => true,
+            Value::Ball(ball) => ball.view().is_exact(),
+        }
+    }
+
+    /// How many leading bits of the number are certain: some n such that the
+    /// error is at most 2^-n times the number; none if there is no error.
+    pub fn accuracy(&self) -> Option<i64> {
+        match &self.value {
+            Value::Dyadic(_) | Value::Ratio(_) => None,
+            Value::Ball(ball) => ball.view().accuracy(),
+        }
+    }
+
+    fn new(value: Value, bits: u32) -> Self {
+        Self { value, bits }
+    }
+
+    /// The bits that a result of two operands carries.
+    fn common_bits(&self, other: &Self) -> u32 {
+        self.bits.max(other.bits)
+    }
+}
+
+/// The bits of an enclosure made by operands that carry so many.
+fn precision(bits: u32) -> u32 {
+    if bits == 0 { DEFAULT_BITS } else { bits }
+}
+
+impl Value {
+    /// A dyadic number, unless it has become too long.
+    fn from_dyadic(number: Dyadic, bits: u32) -> Self {
+        let number = number.normalised();
+        let length = number.mantissa().bits() + number.exponent().unsigned_abs() + 1;
+        if length > Exact::RATIONAL_BITS {
+            return Self::Ball(Ball::from_dyadic(number, precision(bits)));
+        }
+        Self::Dyadic(number)
+    }
+
+    /// A fraction in lowest terms, unless it has become too long.
+    fn from_ratio(ratio: BigRational, bits: u32) -> Self {
+        let shift = ratio.denom().trailing_zeros().unwrap_or(0);
+        if ratio.denom().bits() == shift + 1 {
+            let (numerator, _) = ratio.into_raw();
+            return Self::from_dyadic(Dyadic::new(numerator, -(shift as i64)), bits);
+        }
+        if ratio.numer().bits() + ratio.denom().bits() > Exact::RATIONAL_BITS {
+            return Self::Ball(Ball::from_ratio(&ratio, precision(bits)));
+        }
+        Self::Ratio(Box::new(ratio))
+    }
+
+    fn is_zero(&self) -> bool {
+        matches!(self, Self::Dyadic(number) if number.is_zero())
+    }
+
+    fn is_certainly_nonzero(&self) -> bool {
+        self.sign().is_some_and(Ordering::is_ne)
+    }
+
+    /// The sign, where it is certain.
+    fn sign(&self) -> Option<Ordering> {
+        match self {
+            Self::Dyadic(number) => Some(number.sign()),
+            Self::Ratio(ratio) => Some(ratio.numer().cmp(&BigInt::ZERO)),
+            Self::Ball(ball) => ball.view().sign(),
+        }
+    }
+
+    /// The number as a fraction, if it is held as a rational.
+    fn ratio(&self) -> Option<Cow<'_, BigRational>> {
+        match self {
+            Self::Dyadic(number) => Some(Cow::Owned(number.to_rational())),
+            Self::Ratio(ratio) => Some(Cow::Borrowed(ratio)),
+            Self::Ball(_) => None,
+        }
+    }
+
+    /// Looks at the number as a ball.
+    #[inline]
+    fn with_ball<T>(&self, bits: u32, look: impl FnOnce(BallRef<'_>) -> T) -> T {
+        match self {
+            Self::Dyadic(number) => look(BallRef::exact(number)),
+            Self::Ratio(ratio) => look(Ball::from_ratio(ratio, precision(bits)).view()),
+            Self::Ball(ball) => look(ball.view()),
+        }
+    }
+
+    /// Computes with two numbers as balls.
+    #[inline]
+    fn with_balls<T>(
+        &self,
+        other: &Self,
+        bits: u32,
+        look: impl FnOnce(BallRef<'_>, BallRef<'_>) -> T,
+    ) -> T {
+        self.with_ball(bits, |a| other.with_ball(bits, |b| look(a, b)))
+    }
+
+    /// The root of the square of a rational.
+    fn rational_sqrt(&self, bits: u32) -> Option<Self> {
+        match self {
+            Self::Dyadic(number) if number.exponent() % 2 == 0 => {
+                let root = sqrt_of_square(number.mantissa())?;
+                Some(Self::from_dyadic(
+                    Dyadic::new(root, number.exponent() / 2),
+                    bits,
+                ))
+            }
+            Self::Ratio(ratio) => {
+                let numerator = sqrt_of_square(ratio.numer())?;
+                let denominator = sqrt_of_square(ratio.denom())?;
+                // Roots of coprime squares are coprime.
+                Some(Self::from_ratio(
+                    BigRational::new_raw(numerator, denominator),
+                    bits,
+                ))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Scalar for Exact {
+    type Doubt = Undecided;
+    type Precision = u32;
+
+    const ROUNDS: bool = false;
+    const FILTERED: bool = true;
+
+    /// The number itself, or where it is longer than [`RATIONAL_BITS`](Self::RATIONAL_BITS), an
+    /// enclosure of so many bits.
+    fn from_number(number: &Number, bits: u32) -> Self {
+        let value = match number.as_binary64() {
+            Some(binary) => Value::from_dyadic(Dyadic::from_f64(binary), bits),
+            None => Value::from_ratio(number.to_rational(), bits),
+        };
+        Self::new(value, bits)
+    }
+
+    fn from_integer(integer: i32) -> Self {
+        Self::new(Value::Dyadic(Dyadic::from(integer)), 0)
+    }
+
+    fn sign(&self) -> Result<Ordering, Undecided> {
+        let sign = self.value.sign();
+        sign.ok_or_else(|| Undecided::sign(precision(self.bits)))
+    }
+
+    /// Always decided for two numbers held as rationals.
+    fn compare(&self, other: &Self) -> Result<Ordering, Undecided> {
+        if let (Value::Dyadic(a), Value::Dyadic(b)) = (&self.value, &other.value) {
+            return Ok(a.compare(b));
+        }
+        let (a, b) = (self.hull(), other.hull());
+        if a.hi() < b.lo() {
+            return Ok(Ordering::Less);
+        }
+        if a.lo() > b.hi() {
+            return Ok(Ordering::Greater);
+        }
+        self.compare_closely(other)
+    }
+
+    fn square(&self) -> Self {
+        let value = match &self.value {
+            Value::Dyadic(a) => Value::from_dyadic(a.mul(a), self.bits),
+            Value::Ratio(ratio) => Value::from_ratio(ratio_square(ratio), self.bits),
+            Value::Ball(ball) => Value::Ball(ball.view().square(precision(self.bits))),
+        };
+        Self::new(value, self.bits)
+    }
+
+    /// Rational for the square of a rational. What an enclosure has below
+    /// zero is cut off.
+    fn sqrt(&self) -> Self {
+        let bits = precision(self.bits);
+        let enclosure = || Value::Ball(self.value.with_ball(bits, |a| a.sqrt(bits)));
+        let value = self
+            .value
+            .rational_sqrt(self.bits)
+            .unwrap_or_else(enclosure);
+        Self::new(value, self.bits)
+    }
+
+    /// By the plain formula: what cancels shows in the radius.
+    fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
+        a.product(b) - c.product(d)
+    }
+
+    fn not_before(self, _: &Self) -> Self {
+        self
+    }
+
+    fn to_f64(&self) -> f64 {
+        match &self.value {
+            Value::Dyadic(number) => number.to_f64(Rounding::Nearest),
+            Value::Ratio(ratio) => ratio_to_f64(ratio, Rounding::Nearest),
+            Value::Ball(ball) => ball.view().to_f64(),
+        }
+    }
+
+    /// For a rational the nearest bounds there are.
+    fn hull(&self) -> Interval {
+        match &self.value {
+            Value::Dyadic(number) => BallRef::exact(number).hull(),
+            Value::Ratio(ratio) => Interval::new(
+                ratio_to_f64(ratio, Rounding::Down),
+                ratio_to_f64(ratio, Rounding::Up),
+            ),
+            Value::Ball(ball) => ball.view().hull(),
+        }
+    }
+
+    /// None for a quotient by what may be zero.
+    fn enclosure(&self) -> Option<(BigRational, BigRational)> {
+        match &self.value {
+            Value::Ball(ball) => ball.view().ends(),
+            rational => rational.ratio().map(|ratio| {
+                let ratio = ratio.into_owned();
+                (ratio.clone(), ratio)
+            }),
+        }
+    }
+}
+
+impl Exact {
+    /// The order of numbers whose binary64 bounds overlap.
+    fn compare_closely(&self, other: &Self) -> Result<Ordering, Undecided> {
+        if let Some((a, b)) = ratios(&self.value, &other.value) {
+            return Ok(compare_ratios(&a, &b));
+        }
+        let bits = precision(self.common_bits(other));
+        let difference = |a: BallRef<'_>, b: BallRef<'_>| a.sub(b, bits).view().sign();
+        let order = self.value.with_balls(&other.value, bits, difference);
+        order.ok_or_else(|| Undecided::sign(bits))
+    }
+
+    fn product(&self, other: &Self) -> Self {
+        let bits = self.common_bits(other);
+        let value = match (&self.value, &other.value) {
+            (a, b) if a.is_zero() || b.is_zero() => Value::Dyadic(Dyadic::zero()),
+            (Value::Dyadic(a), Value::Dyadic(b)) => Value::from_dyadic(a.mul(b), bits),
+            (a, b) => match ratios(a, b) {
+                Some((a, b)) => Value::from_ratio(&*a * &*b, bits),
+                None => Value::Ball(a.with_balls(b, bits, |a, b| a.mul(b, precision(bits)))),
+            },
+        };
+        Self::new(value, bits)
+    }
+
+    fn quotient(&self, other: &Self) -> Self {
+        let bits = self.common_bits(other);
+        let value = match (&self.value, &other.value) {
+            (_, b) if !b.is_certainly_nonzero() => Value::Ball(Ball::unknown()),
+            (a, _) if a.is_zero() => Value::Dyadic(Dyadic::zero()),
+            (a, b) => match ratios(a, b) {
+                Some((a, b)) => Value::from_ratio(&*a / &*b, bits),
+                None => Value::Ball(a.with_balls(b, bits, |a, b| a.div(b, precision(bits)))),
+            },
+        };
+        Self::new(value, bits)
+    }
+}
+
+/// Two numbers as fractions, if both are held as rationals.
+fn ratios<'a>(a: &'a Value, b: &'a Value) -> Option<(Cow<'a, BigRational>, Cow<'a, BigRational>)> {
+    match (a, b) {
+        (Value::Ball(_), _) | (_, Value::Ball(_)) => None,
+        (a, b) => Some((a.ratio()?, b.ratio()?)),
+    }
+}
+
+/// By cross-multiplication, which takes two products; the order that the
+/// ratios come with takes a division for each term of a continued fraction.
+fn compare_ratios(a: &BigRational, b: &BigRational) -> Ordering {
+    (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
+}
+
+/// In lowest terms, since the number squared is.
+fn ratio_square(ratio: &BigRational) -> BigRational {
+    BigRational::new_raw(ratio.numer() * ratio.numer(), ratio.denom() * ratio.denom())
+}
+
+fn sqrt_of_square(integer: &BigInt) -> Option<BigInt> {
+    // None for a negative number.
+    Some(exact_sqrt(&integer.to_biguint()?)?.into())
+}
+
+impl Add<&Self> for Exact {
+    type Output = Self;
+
+    fn add(self, other: &Self) -> Self {
+        let bits = self.common_bits(other);
+        let value = match (self.value, &other.value) {
+            (zero, value) if zero.is_zero() => value.clone(),
+            (value, zero) if zero.is_zero() => value,
+            (Value::Dyadic(a), Value::Dyadic(b)) => Value::from_dyadic(a.add(b), bits),
+            (Value::Ball(a), b) => Value::Ball(b.with_ball(bits, |b| a.add(b, precision(bits)))),
+            (a, b) => match ratios(&a, b) {
+                Some((a, b)) => Value::from_ratio(&*a + &*b, bits),
+                None => Value::Ball(a.with_balls(b, bits, |a, b| a.add(b, precision(bits)))),
+            },
+        };
+        Self::new(value, bits)
+    }
+}
+
+impl Sub<&Self> for Exact {
+    type Output = Self;
+
+    /// Turning signs in place is cheaper than to copy the right operand.
+    fn sub(self, other: &Self) -> Self {
+        -(-self + other)
+    }
+}
+
+impl Mul<&Self> for Exact {
+    type Output = Self;
+
+    fn mul(self, other: &Self) -> Self {
+        self.product(other)
+    }
+}
+
+impl Div<&Self> for Exact {
+    type Output = Self;
+
+    fn div(self, other: &Self) -> Self {
+        self.quotient(other)
+    }
+}
+
+impl Neg for Exact {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        let value = match self.value {
+            Value::Dyadic(number) => Value::Dyadic(-number),
+            Value::Ratio(ratio) => Value::Ratio(Box::new(-*ratio)),
+            Value::Ball(ball) => Value::Ball(-ball),
+        };
+        Self::new(value, self.bits)
+    }
+}
+
+/// The operators with their right operand by value.
+macro_rules! forward_by_value {
+    ($($operator:ident $method:ident),*) => {$(
+        impl $operator for Exact {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                $operator::$method(self, &other)
+            }
+        }
+    )*};
+}
+
+forward_by_value!(Add add, Sub sub, Mul mul, Div div);
+
+#[cfg(test)]
+mod tests {
+    use std::cmp::Ordering::{Equal, Greater, Less};
+
+    use num_traits::One;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn exact(text: &str) -> Exact {
+        Exact::from_number(&text.parse().unwrap(), 100)
+    }
+
+    fn rational(numerator: i64, denominator: i64) -> BigRational {
+        BigRational::new(numerator.into(), denominator.into())
+    }
+
+    /// The rational that a number is held as.
+    fn held(number: &Exact) -> Option<BigRational> {
+        let (lo, hi) = number.enclosure()?;
+        (lo == hi && number.is_rational()).then_some(lo)
+    }
+
+    fn fraction() -> impl Strategy<Value = BigRational> {
+        let denominator = prop_oneof![1..1000_i64, (0..40_u32).prop_map(|shift| 1 << shift)];
+        (-10_000..10_000_i64, denominator).prop_map(|(n, d)| rational(n, d))
+    }
+
+    fn from_ratio(ratio: &BigRational) -> Exact {
+        Exact::from_number(&Number::try_from(ratio.clone()).unwrap(), 100)
+    }
+
+    #[test]
+    fn numbers_are_taken_over_exactly() {
+        for text in ["0", "3", "-1/3", "0.1", "0x1p-1000", "1e300"] {
+            let number: Number = text.parse().unwrap();
+            assert_eq!(held(&exact(text)), Some(number.to_rational()));
+        }
+        let binary = Exact::from_number(&Number::try_from(0.1).unwrap(), 0);
+        assert_eq!(held(&binary), BigRational::from_float(0.1));
+        assert_eq!(binary.hull(), Interval::new(0.1, 0.1));
+        assert_eq!(binary.accuracy(), None);
+    }
+
+    #[test]
+    fn roots_of_squares_are_rational() {
+        let table = [
+            ("0", "0"),
+            ("9", "3"),
+            ("1/4", "1/2"),
+            ("4/9", "2/3"),
+            ("0.0001", "0.01"),
+        ];
+        for (square, root) in table {
+            assert_eq!(held(&exact(square).sqrt()), held(&exact(root)));
+        }
+        for number in ["2", "1/2", "8", "4/3", "3/4", "17", "1/10"] {
+            assert!(!exact(number).sqrt().is_rational(), "{number}");
+        }
+    }
+
+    /// √2 to 40 digits, from tables.
+    #[test]
+    fn roots_of_others_are_enclosed() {
+        let root = exact("2").sqrt();
+        assert_eq!(
+            root.compare(&exact("1.4142135623730950488016887242")),
+            Ok(Greater)
+        );
+        assert_eq!(
+            root.compare(&exact("1.4142135623730950488016887243")),
+            Ok(Less)
+        );
+        assert_eq!(root.to_f64(), std::f64::consts::SQRT_2);
+        assert!(root.accuracy().is_some_and(|bits| bits >= 98));
+        assert!(root.square().compare(&exact("2")).is_err());
+        let doubt = (root.square() - exact("2")).sign().unwrap_err();
+        assert_eq!(doubt, Undecided::sign(100));
+    }
+
+    #[test]
+    fn zero_is_exact() {
+        let (zero, root) = (Exact::from_integer(0), exact("2").sqrt());
+        let unknown = exact("1") / &zero;
+        for number in [&root, &unknown, &exact("1/3")] {
+            assert_eq!((zero.clone() * number).sign(), Ok(Equal));
+            assert_eq!((number.clone() * &zero).sign(), Ok(Equal));
+            let sum = number.clone() + &zero;
+            assert_eq!(sum.enclosure(), number.enclosure());
+            let difference = zero.clone() - number;
+            assert_eq!(difference.enclosure(), (-number.clone()).enclosure());
+        }
+        assert_eq!((zero / root).sign(), Ok(Equal));
+    }
+
+    #[test]
+    fn division_by_what_may_be_zero_tells_nothing() {
+        let maybe_zero = exact("2").sqrt().square() - exact("2");
+        for divisor in [Exact::from_integer(0), maybe_zero] {
+            for dividend in [exact("0"), exact("1"), exact("1/3"), exact("3").sqrt()] {
+                let quotient = dividend / &divisor;
+                assert!(quotient.sign().is_err());
+                assert_eq!(quotient.enclosure(), None);
+                assert_eq!(quotient.hull(), Interval::UNBOUNDED);
+                assert!(!quotient.is_rational());
+            }
+        }
+    }
+
+    #[test]
+    fn long_rationals_become_enclosures() {
+        for text in ["1/3", "5", "3/1024", "7/5"] {
+            let mut power = exact(text);
+            let mut truth = held(&power).unwrap();
+            while power.is_rational() {
+                power = power.clone() * &power;
+                truth = &truth * &truth;
+                let length = truth.numer().bits() + truth.denom().bits();
+                assert_eq!(
+                    power.is_rational(),
+                    length <= Exact::RATIONAL_BITS,
+                    "{text}"
+                );
+                let (lo, hi) = power.enclosure().unwrap();
+                assert!(lo <= truth && truth <= hi);
+            }
+            assert!(power.accuracy().is_some_and(|bits| bits >= 95));
+        }
+    }
+
+    #[test]
+    fn the_higher_precision_is_carried_on() {
+        let three = Exact::from_integer(3);
+        let low = Exact::from_number(&Number::from(2), 64);
+        let high = Exact::from_number(&Number::from(2), 1000);
+        let accuracy = |number: Exact| number.sqrt().accuracy().unwrap();
+        assert!((62..=66).contains(&accuracy(three.clone() * &low - &three)));
+        assert!((998..=1002).contains(&accuracy(low + high + &three)));
+        assert!(accuracy(three) >= 100);
+    }
+
+    #[test]
+    fn close_numbers_are_told_apart() {
+        let tiny = BigRational::new(BigInt::one(), BigInt::one() << 2000_u32);
+        let third = rational(1, 3);
+        let (a, b) = (from_ratio(&third), from_ratio(&(&third + tiny)));
+        assert_eq!(a.compare(&b), Ok(Less));
+        assert_eq!(b.compare(&a), Ok(Greater));
+        assert_eq!(a.compare(&a), Ok(Equal));
+    }
+
+    proptest! {
+        #[test]
+        fn rationals_stay_exact(x in fraction(), y in fraction()) {
+            let (a, b) = (from_ratio(&x), from_ratio(&y));
+            prop_assert_eq!(held(&(a.clone() + &b)), Some(&x + &y));
+            prop_assert_eq!(held(&(a.clone() - &b)), Some(&x - &y));
+            prop_assert_eq!(held(&(a.clone() * &b)), Some(&x * &y));
+            prop_assert_eq!(held(&a.square()), Some(&x * &x));
+            prop_assert_eq!(held(&a.square().sqrt()), Some(if x < rational(0, 1) { -&x } else { x.clone() }));
+            prop_assert_eq!(a.compare(&b), Ok(x.cmp(&y)));
+            prop_assert_eq!(a.sign(), Ok(x.cmp(&rational(0, 1))));
+            let power = Exact::difference_of_products(&a, &b, &b, &b);
+            prop_assert_eq!(held(&power), Some(&x * &y - &y * &y));
+            if y != rational(0, 1) {
+                prop_assert_eq!(held(&(a / b)), Some(x / y));
+            }
+        }
+
+        /// (√x ± y) for all kinds of y against bounds of √x.
+        #[test]
+        fn mixed_operations_enclose(x in 2..1000_u32, y in fraction()) {
+            let root = exact(&x.to_string()).sqrt();
+            let b = from_ratio(&y);
+            let (lo, hi) = root.enclosure().unwrap();
+            let within = |result: Exact, ends: [BigRational; 2]| {
+                let (from, to) = result.enclosure().unwrap();
+                ends.iter().all(|end| from <= *end && *end <= to)
+            };
+            prop_assert!(within(root.clone() + &b, [&lo + &y, &hi + &y]));
+            prop_assert!(within(b.clone() + &root, [&lo + &y, &hi + &y]));
+            prop_assert!(within(root.clone() - &b, [&lo - &y, &hi - &y]));
+            prop_assert!(within(b.clone() - &root, [&y - &lo, &y - &hi]));
+            prop_assert!(within(root.clone() * &b, [&lo * &y, &hi * &y]));
+            prop_assert!(within(b.clone() * &root, [&lo * &y, &hi * &y]));
+            prop_assert!(within(b.clone() / &root, [&y / &lo, &y / &hi]));
+            if y != rational(0, 1) {
+                prop_assert!(within(root / b, [&lo / &y, &hi / &y]));
+            }
+        }
+
+        #[test]
+        fn comparisons_with_enclosures_are_true(x in 2..1000_i64, y in fraction()) {
+            let root = exact(&x.to_string()).sqrt();
+            let order = from_ratio(&y).compare(&root);
+            let square_order = (&y * &y).cmp(&rational(x, 1));
+            let expected = if y < rational(0, 1) { Less } else { square_order };
+            prop_assert_eq!(order, Ok(expected));
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The numbers that a simulation runs on.
+//!
+//! Detection, response and every algorithm are written once, over [`Scalar`].
+//! What differs between arithmetics is whether a result rounds, and whether a
+//! *decision* (the sign of a number, the order of two) can always be made:
+//!
+//! | type | a result | a decision |
+//! |---|---|---|
+//! | [`f64`] | rounds to nearest | always made, on the rounded numbers |
+//! | [`Interval`] | rounds outwards | made, or left open |
+//! | [`Exact`] | is rational, or enclosed to so many bits | proven, or left open |
+
+mod ball;
+mod binary64;
+mod dyadic;
+mod exact;
+mod interval;
+mod isqrt;
+mod number;
+mod parse;
+mod radius;
+mod rounding;
+mod undecided;
+
+use std::cmp::Ordering;
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_rational::BigRational;
+
+pub use exact::Exact;
+pub use interval::Interval;
+pub use number::{Number, NumberError};
+pub use undecided::{Doubt, Undecided};
+
+/// A number that collisions are computed with.
+///
+/// Arithmetic is total; only decisions can fail. The operators take their
+/// left operand by value and the right one by value or by reference.
+pub trait Scalar:
+    Clone
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + Sub<Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + Mul<Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + Div<Output = Self>
+    + for<'a> Div<&'a Self, Output = Self>
+    + Neg<Output = Self>
+{
+    /// Why a decision was not made: [`std::convert::Infallible`] where
+    /// each one can be.
+    type Doubt: Doubt;
+
+    /// What it takes to turn a number as written into this type: the bits of
+    /// an enclosure, or nothing.
+    type Precision: Copy + Debug + Send + Sync;
+
+    /// Whether results round, so that what holds by construction (a normal
+    /// as long as the sum of the radii) holds only nearly.
+    const ROUNDS: bool;
+
+    /// Whether operations are so dear that [`Interval`] should first rule
+    /// out what it can.
+    const FILTERED: bool;
+
+    /// The number as it was written, rounded at most once.
+    fn from_number(number: &Number, precision: Self::Precision) -> Self;
+
+    /// A small whole number, exactly.
+    fn from_integer(integer: i32) -> Self;
+
+    /// The sign, as the order of this number against zero.
+    fn sign(&self) -> Result<Ordering, Self::Doubt>;
+
+    /// The order of two numbers.
+    fn compare(&self, other: &Self) -> Result<Ordering, Self::Doubt>;
+
+    /// The square, which an enclosure knows not to be negative.
+    fn square(&self) -> Self;
+
+    /// The square root of a number that has been decided not to be negative.
+    fn sqrt(&self) -> Self;
+
+    /// `a b - c d`, with a small relative error even where it cancels.
+    fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self;
+
+    /// `x² + y² - r²`: the power of a point at (x, y) with respect to a
+    /// circle of radius r about the origin.
+    fn power(x: &Self, y: &Self, r: &Self) -> Self {
+        x.square() + y.square() - r.square()
+    }
+
+    /// Lifts a computed time to `floor` where rounding alone put it before;
+    /// a proven order needs no such help.
+    fn not_before(self, floor: &Self) -> Self;
+
+    /// The nearest binary64 (for an enclosure, to its middle).
+    fn to_f64(&self) -> f64;
+
+    /// Binary64 bounds of the true value; for `f64`, the number itself twice.
+    fn hull(&self) -> Interval;
+
+    /// Proven bounds of the true value, equal where it is held as a
+    /// rational; none for an arithmetic that proves nothing.
+    fn enclosure(&self) -> Option<(BigRational, BigRational)>;
+}
