@@ -1,0 +1,40 @@
+//! Random numbers of a kind that no library's next version changes: the
+//! generator is pinned, and so is how its bits become numbers.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{RngCore, SeedableRng};
+
+pub(super) struct Random(ChaCha8Rng);
+
+impl Random {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(ChaCha8Rng::seed_from_u64(seed))
+    }
+
+    /// Uniform from 0 to 1, without 1: a multiple of 2^-53.
+    fn unit(&mut self) -> f64 {
+        let bits = self.0.next_u64() >> (u64::BITS - f64::MANTISSA_DIGITS);
+        bits as f64 * (f64::EPSILON / 2.0)
+    }
+
+    /// Uniform from `-bound` to `bound`.
+    pub(super) fn within(&mut self, bound: f64) -> f64 {
+        (2.0 * self.unit() - 1.0) * bound
+    }
+
+    /// A point, uniform in a circle around the origin.
+    pub(super) fn in_circle(&mut self, radius: f64) -> [f64; 2] {
+        loop {
+            let [x, y] = [self.within(radius), self.within(radius)];
+            if x * x + y * y <= radius * radius {
+                return [x, y];
+            }
+        }
+    }
+
+    /// Nearly normal, of mean 0 and variance 1: the sum of twelve uniform
+    /// numbers (Irwin and Hall), which needs no transcendental function.
+    pub(super) fn normal(&mut self) -> f64 {
+        (0..12).map(|_| self.unit()).sum::<f64>() - 6.0
+    }
+}

@@ -1,0 +1,33 @@
+//! What bounds a scene: walls, or a cell that repeats.
+
+use crate::scalar::Number;
+
+/// A two-sided segment. A disc meets its interior or one of its end points.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "json",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+pub struct Wall {
+    /// One end point.
+    pub from: [Number; 2],
+    /// The other end point, different from the first.
+    pub to: [Number; 2],
+}
+
+/// The rectangle that a periodic scene repeats in both directions.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "json",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+pub struct Cell {
+    /// The lower left corner.
+    pub from: [Number; 2],
+    /// The upper right corner.
+    pub to: [Number; 2],
+}
