@@ -1,0 +1,74 @@
+//! A point that moves towards a circle: two discs, or a disc and an end point.
+//!
+//! With the relative position d and the relative velocity v, the gap
+//! |d + v t|² - R² is the quadratic (v·v) t² + 2 (d·v) t + c with c = d·d - R².
+//! They touch first at its smaller root, written as c / (√D - d·v), where
+//! nothing cancels: both terms of the denominator are positive. The
+//! discriminant is formed as D = (v·v) R² - (d × v)², in which the distance,
+//! often much larger than the radii, does not appear squared.
+//!
+//! Degenerate cases: d·v ≥ 0 is not an approach, whatever the gap (so
+//! concentric bodies and bodies at relative rest never meet); D = 0 is a
+//! tangent pass; c ≤ 0 with an approach is an impact now.
+
+use std::cmp::Ordering::{Equal, Greater, Less};
+
+use super::Encounter;
+use crate::scalar::Scalar;
+use crate::vec2::Vec2;
+
+/// When a point at `offset` from the centre of a circle of radius `reach`,
+/// moving at `velocity` relative to it, meets the circle from outside, or
+/// moves inwards inside it.
+///
+/// # Errors
+///
+/// An enclosure of an intermediate value contains zero.
+///
+/// # Examples
+///
+/// A point 4 away from a circle of radius 2, moving at 4 towards its centre:
+///
+/// ```
+/// use carom::detect::meet_circle;
+/// use carom::vec2::Vec2;
+///
+/// let met = meet_circle(&Vec2::new(4.0, 0.0), &Vec2::new(-4.0, 0.0), &2.0)?;
+/// assert_eq!(met.unwrap().delay, 0.5);
+/// # Ok::<(), std::convert::Infallible>(())
+/// ```
+#[inline]
+pub fn meet_circle<S: Scalar>(
+    offset: &Vec2<S>,
+    velocity: &Vec2<S>,
+    reach: &S,
+) -> Result<Option<Encounter<S>>, S::Doubt> {
+    let approach = offset.dot(velocity);
+    if approach.sign()? != Less {
+        return Ok(None);
+    }
+    let speed_squared = velocity.norm_squared();
+    let moment = offset.cross(velocity);
+    let strength = speed_squared.clone() * reach;
+    let discriminant = S::difference_of_products(&strength, reach, &moment, &moment);
+    Ok(match discriminant.sign()? {
+        Less => None,
+        Equal => Some(Encounter::graze(-approach / speed_squared)),
+        Greater => Some(enter(offset, reach, approach, &discriminant)?),
+    })
+}
+
+/// The smaller root of the quadratic, or now where it has passed already.
+#[inline]
+fn enter<S: Scalar>(
+    offset: &Vec2<S>,
+    reach: &S,
+    approach: S,
+    discriminant: &S,
+) -> Result<Encounter<S>, S::Doubt> {
+    let gap = S::power(&offset.x, &offset.y, reach);
+    if gap.sign()? != Greater {
+        return Ok(Encounter::now());
+    }
+    Ok(Encounter::impact(gap / (discriminant.sqrt() - approach)))
+}

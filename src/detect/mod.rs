@@ -1,0 +1,66 @@
+//! When two bodies meet, moving freely from where they are now.
+//!
+//! The paper's three cases are one here: of two bodies that both move, one is
+//! taken as the frame of reference, so that only *relative* position and
+//! velocity count; and bodies that overlap already meet now, if they
+//! approach, or not at all.
+//!
+//! No tolerance is involved. What is exact and what rounds is up to the
+//! [`Scalar`].
+
+mod circle;
+mod overlap;
+mod segment;
+
+use crate::body::End;
+use crate::scalar::Scalar;
+
+pub use circle::meet_circle;
+pub use overlap::{Overlap, Separation, overlap_circle, overlap_segment};
+pub use segment::{Segment, meet_segment};
+
+/// The first time that two bodies touch while they move freely.
+#[derive(Clone, Debug)]
+pub struct Encounter<S> {
+    /// The time until they touch, never negative.
+    pub delay: S,
+    /// Whether they only pass in tangency, so that nothing changes.
+    pub graze: bool,
+    /// Whether they overlap now, or touch, so that the delay is none.
+    pub overlap: bool,
+    /// The wall's end point that is touched, unless its interior is.
+    pub end: Option<End>,
+}
+
+impl<S: Scalar> Encounter<S> {
+    /// The bodies touch, or overlap, and approach already.
+    pub(crate) fn now() -> Self {
+        Self {
+            overlap: true,
+            ..Self::impact(S::from_integer(0))
+        }
+    }
+
+    fn impact(delay: S) -> Self {
+        Self {
+            delay,
+            graze: false,
+            overlap: false,
+            end: None,
+        }
+    }
+
+    fn graze(delay: S) -> Self {
+        Self {
+            graze: true,
+            ..Self::impact(delay)
+        }
+    }
+
+    fn at(self, end: End) -> Self {
+        Self {
+            end: Some(end),
+            ..self
+        }
+    }
+}

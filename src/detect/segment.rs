@@ -1,0 +1,135 @@
+//! A disc that moves towards a wall: a two-sided segment with its end points.
+//!
+//! The disc's centre meets the points at distance r from the segment: two
+//! parallel lines, closed by a half circle about each end point. With u along
+//! the segment, q the centre from its first end point and L = |u|, the side
+//! and distance of the centre are h = q × u (times L), and the lines are met
+//! after (|h| - r L) / |v × u|. The foot q·u of the perpendicular then tells
+//! whether the interior (0 < q·u < L²) is touched. Otherwise only the
+//! half circle on the foot's side can be met, for the strip between the lines
+//! can be left towards the segment only through it.
+//!
+//! A segment is convex, so a disc that has left it, or slides along it, in
+//! free motion never meets it again: its end points included.
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+use super::{Encounter, meet_circle};
+use crate::body::End;
+use crate::scalar::Scalar;
+use crate::vec2::Vec2;
+
+/// A wall's geometry, with what every test of it needs.
+#[derive(Clone, Debug)]
+pub struct Segment<S> {
+    /// The first end point.
+    pub from: Vec2<S>,
+    /// The other end point.
+    pub to: Vec2<S>,
+    /// The vector from the first end point to the other.
+    pub along: Vec2<S>,
+    /// The length.
+    pub length: S,
+    /// The square of the length.
+    pub length_squared: S,
+}
+
+impl<S: Scalar> Segment<S> {
+    /// The segment between two points that differ by `along`.
+    pub fn new(from: Vec2<S>, to: Vec2<S>, along: Vec2<S>) -> Self {
+        let length_squared = along.norm_squared();
+        Self {
+            from,
+            to,
+            along,
+            length: length_squared.sqrt(),
+            length_squared,
+        }
+    }
+
+    /// One of the end points.
+    pub fn end(&self, end: End) -> &Vec2<S> {
+        match end {
+            End::From => &self.from,
+            End::To => &self.to,
+        }
+    }
+
+    /// The part of the segment that is nearest to a point whose offset from
+    /// the first end point is given.
+    pub(super) fn nearest(&self, offset: &Vec2<S>) -> Result<Nearest, S::Doubt> {
+        let foot = offset.dot(&self.along);
+        Ok(match foot.sign()? {
+            Less => Nearest::Beyond(End::From),
+            Equal => Nearest::Foot(Some(End::From)),
+            Greater => match foot.compare(&self.length_squared)? {
+                Less => Nearest::Foot(None),
+                Equal => Nearest::Foot(Some(End::To)),
+                Greater => Nearest::Beyond(End::To),
+            },
+        })
+    }
+}
+
+/// Where the perpendicular from a point meets a segment's line.
+pub(super) enum Nearest {
+    /// On the segment, possibly exactly at an end point.
+    Foot(Option<End>),
+    /// Outside the segment, on the side of this end point.
+    Beyond(End),
+}
+
+/// When a disc at `centre` meets a segment, moving at `velocity` relative to
+/// it. The end points for which `barred` holds are known not to be met.
+///
+/// # Errors
+///
+/// An enclosure of an intermediate value contains zero.
+pub fn meet_segment<S: Scalar>(
+    centre: &Vec2<S>,
+    velocity: &Vec2<S>,
+    radius: &S,
+    segment: &Segment<S>,
+    barred: impl Fn(End) -> bool,
+) -> Result<Option<Encounter<S>>, S::Doubt> {
+    let offset = centre.minus(&segment.from);
+    let side = offset.cross(&segment.along);
+    let drift = velocity.cross(&segment.along);
+    let side_sign = side.sign()?;
+    let approaches = opposite(side_sign, drift.sign()?);
+    let gap = magnitude(side, side_sign) - radius.clone() * &segment.length;
+    let meet_end = |end| {
+        if barred(end) {
+            return Ok(None);
+        }
+        let met = meet_circle(&centre.minus(segment.end(end)), velocity, radius)?;
+        Ok(met.map(|encounter| encounter.at(end)))
+    };
+    if gap.sign()? == Less {
+        return match segment.nearest(&offset)? {
+            Nearest::Foot(end) => Ok(approaches.then(|| with_end(Encounter::now(), end))),
+            Nearest::Beyond(end) => meet_end(end),
+        };
+    }
+    if !approaches {
+        return Ok(None);
+    }
+    let delay = gap / magnitude(drift, side_sign.reverse());
+    match segment.nearest(&offset.moved(velocity, &delay))? {
+        Nearest::Foot(end) => Ok(Some(with_end(Encounter::impact(delay), end))),
+        Nearest::Beyond(end) => meet_end(end),
+    }
+}
+
+fn with_end<S: Scalar>(encounter: Encounter<S>, end: Option<End>) -> Encounter<S> {
+    Encounter { end, ..encounter }
+}
+
+/// Whether two signs differ and neither is zero.
+fn opposite(a: Ordering, b: Ordering) -> bool {
+    a != Equal && b == a.reverse()
+}
+
+fn magnitude<S: Scalar>(value: S, sign: Ordering) -> S {
+    if sign == Less { -value } else { value }
+}
