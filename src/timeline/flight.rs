@@ -1,0 +1,132 @@
+//! Bodies in flight, each kept at the time of its own last impact.
+
+use crate::body::{Disc, Feature};
+use crate::detect::Encounter;
+use crate::scalar::{Interval, Scalar};
+use crate::vec2::Vec2;
+use crate::world::{Obstacle, World};
+
+/// The bodies, the times at which they are where `world` says, and the turn
+/// at which each was changed last.
+#[derive(Clone, Debug)]
+pub(super) struct Flights<S> {
+    pub(super) world: World<S>,
+    pub(super) since: Vec<S>,
+    pub(super) turn: Vec<u64>,
+}
+
+/// What a disc meets next of one body, and when.
+#[derive(Clone, Debug)]
+pub(super) struct Meeting<S> {
+    pub(super) time: S,
+    pub(super) feature: Feature,
+    pub(super) graze: bool,
+    pub(super) overlap: bool,
+}
+
+impl<S: Scalar> Flights<S> {
+    pub(super) fn new(world: World<S>) -> Self {
+        let count = world.discs.len();
+        Self {
+            world,
+            since: vec![S::from_integer(0); count],
+            turn: vec![0; count],
+        }
+    }
+
+    pub(super) fn hull(&self) -> Flights<Interval> {
+        Flights {
+            world: self.world.hull(),
+            since: self.since.iter().map(S::hull).collect(),
+            turn: self.turn.clone(),
+        }
+    }
+
+    /// When and where a disc meets an obstacle.
+    #[inline]
+    pub(super) fn meet(
+        &self,
+        disc: usize,
+        obstacle: Obstacle,
+    ) -> Result<Option<Meeting<S>>, S::Doubt> {
+        match obstacle {
+            Obstacle::Disc(other) => self.meet_disc(disc, other),
+            Obstacle::Wall(wall) => self.meet_wall(disc, wall),
+        }
+    }
+
+    #[inline]
+    fn meet_disc(&self, disc: usize, other: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
+        let (early, late) = if self.turn[disc] < self.turn[other] {
+            (disc, other)
+        } else {
+            (other, disc)
+        };
+        let start = &self.since[late];
+        let [first, second] = [early, late].map(|index| &self.world.discs[index]);
+        let offset = second.position.minus(&self.position_at(early, start));
+        let velocity = second.velocity.minus(&first.velocity);
+        let met = self.world.meet_discs((early, late), &offset, &velocity)?;
+        Ok(met.map(|encounter| Meeting::new(start, encounter, Feature::Disc(other as u32))))
+    }
+
+    fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
+        let met = self.world.meet_wall(disc, wall)?;
+        Ok(met.map(|encounter| {
+            let feature = self.world.feature(wall, encounter.end);
+            Meeting::new(&self.since[disc], encounter, feature)
+        }))
+    }
+
+    /// Where a disc is at a time, if nothing changes its motion.
+    #[inline]
+    pub(super) fn position_at(&self, disc: usize, time: &S) -> Vec2<S> {
+        let body = &self.world.discs[disc];
+        let flown = time.clone() - &self.since[disc];
+        body.position.moved(&body.velocity, &flown)
+    }
+
+    /// A disc as it is at a time.
+    pub(super) fn disc_at(&self, disc: usize, time: &S) -> Disc<S> {
+        Disc {
+            position: self.position_at(disc, time),
+            ..self.world.discs[disc].clone()
+        }
+    }
+
+    /// Where a feature is at a time, as far as that matters: walls stay.
+    pub(super) fn position_of(&self, feature: Feature, time: &S) -> Vec2<S> {
+        match feature {
+            Feature::Disc(other) => self.position_at(other as usize, time),
+            Feature::Wall(_) | Feature::Corner(_) => Vec2::zero(),
+        }
+    }
+
+    /// The turn at which a feature changed last: walls never do.
+    #[inline]
+    pub(super) fn turn_of(&self, feature: Feature) -> u64 {
+        match feature {
+            Feature::Disc(other) => self.turn[other as usize],
+            Feature::Wall(_) | Feature::Corner(_) => 0,
+        }
+    }
+
+    /// Takes a disc to the time of its impact, at some turn.
+    pub(super) fn bring(&mut self, disc: usize, time: &S, turn: u64) {
+        self.world.discs[disc].position = self.position_at(disc, time);
+        self.since[disc] = time.clone();
+        self.turn[disc] = turn;
+    }
+}
+
+impl<S: Scalar> Meeting<S> {
+    #[inline]
+    fn new(start: &S, encounter: Encounter<S>, feature: Feature) -> Self {
+        Self {
+            time: start.clone() + encounter.delay,
+            feature,
+            graze: encounter.graze,
+            overlap: encounter.overlap,
+        }
+    }
+}
