@@ -1,0 +1,56 @@
+//! A world, with binary64 bounds of it where the arithmetic wants a filter.
+
+use super::overlap::{self, Touch};
+use crate::scalar::{Doubt, Interval, Scalar};
+use crate::world::{Obstacle, World};
+
+/// A world whose bounds are kept up with it.
+pub(super) struct Bounded<'a, S: Scalar> {
+    pub(super) world: &'a mut World<S>,
+    bounds: Option<World<Interval>>,
+}
+
+impl<'a, S: Scalar> Bounded<'a, S> {
+    pub(super) fn new(world: &'a mut World<S>) -> Self {
+        Self {
+            bounds: S::FILTERED.then(|| world.hull()),
+            world,
+        }
+    }
+
+    pub(super) fn bounds(&self) -> Option<&World<Interval>> {
+        self.bounds.as_ref()
+    }
+
+    /// Takes note of a disc that has changed.
+    pub(super) fn update(&mut self, disc: usize) {
+        if let Some(bounds) = &mut self.bounds {
+            bounds.discs[disc] = self.world.discs[disc].map(S::hull);
+        }
+    }
+
+    /// Moves a disc and an obstacle apart if they overlap, to exact contact.
+    pub(super) fn separate(
+        &mut self,
+        disc: usize,
+        obstacle: Obstacle,
+    ) -> Result<Option<Touch<S>>, S::Doubt> {
+        if self.world.is_barred(disc, obstacle) || self.surely_apart(disc, obstacle) {
+            return Ok(None);
+        }
+        let touch = overlap::separate(self.world, disc, obstacle);
+        let touch = touch.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "overlap")))?;
+        if touch.is_some() {
+            self.update(disc);
+            if let Obstacle::Disc(other) = obstacle {
+                self.update(other);
+            }
+        }
+        Ok(touch)
+    }
+
+    fn surely_apart(&self, disc: usize, obstacle: Obstacle) -> bool {
+        let bounds = self.bounds.as_ref();
+        bounds.is_some_and(|bounds| matches!(bounds.overlap(disc, obstacle), Ok(None)))
+    }
+}

@@ -1,0 +1,35 @@
+//! The paper's algorithms: they handle what collides within one frame.
+//!
+//! One file holds one algorithm, in the paper's vocabulary. Those with
+//! detection *a priori* share the pass over all pairs, of which the collisions
+//! that come first for their objects are kept. Nothing here is
+//! improved upon. What the algorithms miss, invent and misorder is what carom
+//! is there to show.
+//!
+//! Times within a frame run from zero to the frame's duration, where the
+//! paper's `timepassed` runs from zero to one.
+
+mod bounded;
+mod clock;
+mod multiple;
+mod overlap;
+mod pass;
+mod retroactive;
+mod single;
+mod synchronised;
+
+pub use multiple::{Passes, multiple};
+pub use retroactive::retroactive;
+pub use single::single;
+pub use synchronised::synchronised;
+
+/// Which frame is simulated, and how long it lasts.
+#[derive(Clone, Debug)]
+pub struct Frame<S> {
+    /// The number of the frame, from zero on.
+    pub number: u64,
+    /// When it starts.
+    pub start: S,
+    /// How long it lasts.
+    pub duration: S,
+}

@@ -1,0 +1,85 @@
+//! How the paper resolves an intersection (P3.5).
+//!
+//! The paper says only that "it is best to resolve the intersection". Here the
+//! two are moved apart along the line of their centres to exact contact, by
+//! shares in inverse proportion to their masses; an impulse follows only if
+//! they approach. Concentric discs and a centre on a wall give no direction
+//! and are left alone.
+
+use std::cmp::Ordering::Greater;
+
+use crate::body::Feature;
+use crate::impact::{Contact, two};
+use crate::respond::{Share, shares};
+use crate::scalar::Scalar;
+use crate::vec2::Vec2;
+use crate::world::{Obstacle, World};
+
+/// Bodies that have been moved apart and now touch.
+pub(super) struct Touch<S> {
+    pub(super) disc: usize,
+    pub(super) feature: Feature,
+    direction: Vec2<S>,
+}
+
+/// Moves a disc and an obstacle apart, if they overlap.
+pub(super) fn separate<S: Scalar>(
+    world: &mut World<S>,
+    disc: usize,
+    obstacle: Obstacle,
+) -> Result<Option<Touch<S>>, S::Doubt> {
+    let overlap = world.overlap(disc, obstacle)?;
+    let Some((feature, separation)) = overlap.and_then(|(feature, overlap)| {
+        let separation = overlap.separation?;
+        Some((feature, separation))
+    }) else {
+        return Ok(None);
+    };
+    let push = separation.direction.scaled(&separation.lack);
+    match feature {
+        Feature::Disc(other) => {
+            let [first, second] = two(&mut world.discs, disc, other as usize);
+            let (first_share, second_share) = shares(&first.mass, &second.mass);
+            displace(&mut first.position, &-push.clone(), &first_share);
+            displace(&mut second.position, &push, &second_share);
+        }
+        Feature::Wall(_) | Feature::Corner(_) => {
+            displace(&mut world.discs[disc].position, &-push, &Share::Whole);
+        }
+    }
+    Ok(Some(Touch {
+        disc,
+        feature,
+        direction: separation.direction,
+    }))
+}
+
+fn displace<S: Scalar>(position: &mut Vec2<S>, push: &Vec2<S>, share: &Share<S>) {
+    *position = match share {
+        Share::Nothing => return,
+        Share::Part(part) => position.moved(push, part),
+        Share::Whole => position.plus(push),
+    };
+}
+
+impl<S: Scalar> Touch<S> {
+    /// Whether the two move towards each other.
+    pub(super) fn approaches(&self, world: &World<S>) -> Result<bool, S::Doubt> {
+        let velocity = &world.discs[self.disc].velocity;
+        let closing = match self.feature {
+            Feature::Disc(other) => velocity.minus(&world.discs[other as usize].velocity),
+            Feature::Wall(_) | Feature::Corner(_) => velocity.clone(),
+        };
+        Ok(closing.dot(&self.direction).sign()? == Greater)
+    }
+
+    /// Remembers that the two do not meet until something changes.
+    pub(super) fn part(&self, world: &mut World<S>) {
+        world.remember(self.disc, self.feature);
+    }
+
+    /// Lets the two collide where they are.
+    pub(super) fn collide(&self, world: &mut World<S>) -> Result<Contact<S>, S::Doubt> {
+        world.collide(self.disc, self.feature, self.direction.clone(), true)
+    }
+}

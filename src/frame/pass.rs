@@ -1,0 +1,278 @@
+//! One pass: of all collisions on the objects' clocks, those that come first.
+//!
+//! A pair is valid if both objects reach the collision within what is left of
+//! their frame. A valid collision is kept if it is the earliest for both its
+//! objects; bodies of infinite mass and walls, which a collision does not
+//! change, have no say. Losers get no second choice in the pass (P3.3).
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+use super::Frame;
+use super::bounded::Bounded;
+use super::clock::{Clocked, Clocks, Collision};
+use crate::body::Feature;
+use crate::impact::{Impact, Step};
+use crate::scalar::{Doubt, Interval, Scalar};
+use crate::vec2::Vec2;
+use crate::world::{Obstacle, World};
+
+/// A frame on its way through its passes.
+pub(super) struct Passing<'a, S: Scalar> {
+    bodies: Bounded<'a, S>,
+    frame: &'a Frame<S>,
+    clocked: Clocked<S>,
+    /// The same in binary64 bounds, where the arithmetic wants the filter.
+    bounds: Option<Clocked<Interval>>,
+    /// Whether the velocity has changed in this frame.
+    modified: Vec<bool>,
+    /// Whether the object collided in the latest pass.
+    collided: Vec<bool>,
+    /// Whether the object's last collision joined clocks that differ.
+    askew: Vec<bool>,
+    /// Pairs that overlapped, were moved apart, and approach.
+    touching: Vec<((usize, Obstacle), Feature)>,
+    pass: u32,
+}
+
+impl<'a, S: Scalar> Passing<'a, S> {
+    pub(super) fn new(world: &'a mut World<S>, frame: &'a Frame<S>, clocks: Clocks) -> Self {
+        let count = world.discs.len();
+        let clocked = Clocked::new(count, frame.duration.clone(), clocks);
+        Self {
+            bounds: S::FILTERED.then(|| clocked.hull()),
+            bodies: Bounded::new(world),
+            frame,
+            clocked,
+            modified: vec![false; count],
+            collided: vec![false; count],
+            askew: vec![false; count],
+            touching: Vec::new(),
+            pass: 0,
+        }
+    }
+
+    /// Moves apart what overlaps at the start of the frame (P3.5).
+    pub(super) fn resolve_overlaps(&mut self) -> Result<(), S::Doubt> {
+        for (disc, obstacle) in self.bodies.world.pairs() {
+            let Some(touch) = self.bodies.separate(disc, obstacle)? else {
+                continue;
+            };
+            let moved = (disc, obstacle);
+            self.touching.retain(|(pair, _)| !shares_disc(pair, &moved));
+            if touch.approaches(self.bodies.world)? {
+                self.touching.push((moved, touch.feature));
+            } else {
+                touch.part(self.bodies.world);
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the collisions of one pass and applies those that come first.
+    pub(super) fn pass(&mut self) -> Result<Vec<Impact<S>>, S::Doubt> {
+        self.pass += 1;
+        let found = self.detect()?;
+        let kept = self.keep_first(found)?;
+        self.collided.fill(false);
+        self.touching.clear();
+        kept.into_iter()
+            .map(|collision| self.respond(&collision))
+            .collect()
+    }
+
+    /// Moves on whoever did not collide in the latest pass.
+    pub(super) fn move_on(self) {
+        let Self {
+            bodies,
+            clocked,
+            collided,
+            askew,
+            ..
+        } = self;
+        for (index, disc) in bodies.world.discs.iter_mut().enumerate() {
+            if collided[index] {
+                continue;
+            }
+            disc.advance(&clocked.left(index));
+            if askew[index] {
+                // The two went on for different times: they may meet again.
+                disc.last = None;
+            }
+        }
+    }
+
+    /// All valid collisions, by the order of the pairs.
+    fn detect(&self) -> Result<Vec<Collision<S>>, S::Doubt> {
+        let mut found = Vec::new();
+        for (disc, obstacle) in self.bodies.world.pairs() {
+            if self.is_tested(disc, obstacle) && !self.bodies.world.is_barred(disc, obstacle) {
+                found.extend(self.test(disc, obstacle)?);
+            }
+        }
+        Ok(found)
+    }
+
+    /// In the first pass every pair is, later those with a modified object.
+    #[inline]
+    fn is_tested(&self, disc: usize, obstacle: Obstacle) -> bool {
+        let modified = |obstacle| matches!(obstacle, Obstacle::Disc(other) if self.modified[other]);
+        self.pass == 1 || self.modified[disc] || modified(obstacle)
+    }
+
+    #[inline]
+    fn test(&self, disc: usize, obstacle: Obstacle) -> Result<Option<Collision<S>>, S::Doubt> {
+        let mut touching = self.touching.iter();
+        if let Some((_, feature)) = touching.find(|(pair, _)| *pair == (disc, obstacle)) {
+            return Ok(Some(self.clocked.touching(disc, *feature)));
+        }
+        if let (Some(clocked), Some(world)) = (&self.bounds, self.bodies.bounds())
+            && matches!(clocked.test(world, disc, obstacle), Ok(None))
+        {
+            return Ok(None);
+        }
+        let tested = self.clocked.test(self.bodies.world, disc, obstacle);
+        tested.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "collide")))
+    }
+
+    /// Keeps a collision if it is the earliest for both its objects.
+    fn keep_first(&self, found: Vec<Collision<S>>) -> Result<Vec<Collision<S>>, S::Doubt> {
+        let mut first: Vec<Option<usize>> = vec![None; self.modified.len()];
+        for (index, collision) in found.iter().enumerate() {
+            for (object, ..) in self.moved(collision) {
+                let earlier = match first[object] {
+                    None => true,
+                    Some(other) => self.precedes(collision, &found[other])?,
+                };
+                if earlier {
+                    first[object] = Some(index);
+                }
+            }
+        }
+        let is_first = |index, collision: &Collision<S>| {
+            self.moved(collision)
+                .all(|(object, ..)| first[object] == Some(index))
+        };
+        let kept = found.into_iter().enumerate();
+        Ok(kept
+            .filter(|(index, collision)| is_first(*index, collision))
+            .map(|(_, collision)| collision)
+            .collect())
+    }
+
+    /// Whether a collision comes before one found earlier in the pass.
+    fn precedes(&self, one: &Collision<S>, other: &Collision<S>) -> Result<bool, S::Doubt> {
+        if one.disc == other.disc && one.feature == other.feature {
+            return Ok(false);
+        }
+        let names =
+            |collision: &Collision<S>| self.bodies.world.names(collision.disc, collision.feature);
+        let order = one.order.compare(&other.order).map_err(|doubt| {
+            let (one, other) = (names(one).0, names(other).0);
+            doubt.asking(|| format!("whether {one} or {other} collide first"))
+        })?;
+        Ok(match order {
+            Less => true,
+            Equal => names(one) < names(other),
+            Greater => false,
+        })
+    }
+
+    /// Moves the objects of a collision to it, and lets them collide.
+    fn respond(&mut self, collision: &Collision<S>) -> Result<Impact<S>, S::Doubt> {
+        let (disc, feature) = (collision.disc, collision.feature);
+        let other = self.partner_at(collision);
+        for (object, span, _) in self.moved(collision) {
+            self.bodies.world.discs[object].advance(span);
+        }
+        let world = &mut *self.bodies.world;
+        let normal = world.normal(disc, feature, &other);
+        let contact = world.collide(disc, feature, normal, collision.overlap)?;
+        self.note(collision);
+        let (pair, end) = self.bodies.world.names(disc, feature);
+        let [time, other_time] = &collision.times;
+        let absolute = |clock: &S| self.frame.start.clone() + clock;
+        let differs = self.partner(feature).is_some() && collision.joins_different_times();
+        Ok(Impact {
+            time: absolute(time),
+            other_time: differs.then(|| absolute(other_time)),
+            pair,
+            end,
+            tie: None,
+            step: Some(Step {
+                frame: self.frame.number,
+                pass: self.pass,
+            }),
+            contact,
+        })
+    }
+
+    /// Where the other disc is when they collide.
+    fn partner_at(&self, collision: &Collision<S>) -> Vec2<S> {
+        let Feature::Disc(other) = collision.feature else {
+            return Vec2::zero();
+        };
+        let other = &self.bodies.world.discs[other as usize];
+        other.position.moved(&other.velocity, &collision.spans[1])
+    }
+
+    /// The objects that a collision changes, with how long each moves until
+    /// then and what its clock shows then.
+    fn moved<'c>(
+        &self,
+        collision: &'c Collision<S>,
+    ) -> impl Iterator<Item = (usize, &'c S, &'c S)> + use<'c, S> {
+        let own = (collision.disc, &collision.spans[0], &collision.times[0]);
+        let own = self.is_movable(own.0).then_some(own);
+        let other = self.partner(collision.feature);
+        let other = other.map(|disc| (disc, &collision.spans[1], &collision.times[1]));
+        own.into_iter().chain(other)
+    }
+
+    /// The other object, if a collision changes it.
+    fn partner(&self, feature: Feature) -> Option<usize> {
+        match feature {
+            Feature::Disc(other) => Some(other as usize).filter(|&disc| self.is_movable(disc)),
+            Feature::Wall(_) | Feature::Corner(_) => None,
+        }
+    }
+
+    fn is_movable(&self, disc: usize) -> bool {
+        self.bodies.world.discs[disc].is_movable()
+    }
+
+    /// Remembers what a collision has changed.
+    fn note(&mut self, collision: &Collision<S>) {
+        let askew = self.is_askew(collision);
+        for (object, _, time) in self.moved(collision) {
+            self.modified[object] = true;
+            self.collided[object] = true;
+            self.askew[object] = askew;
+            self.bodies.update(object);
+            self.clocked.set(object, time.clone());
+            if let Some(bounds) = &mut self.bounds {
+                bounds.set(object, time.hull());
+            }
+        }
+    }
+
+    /// Whether the two, moving on to the end of the frame, do so for
+    /// different times.
+    fn is_askew(&self, collision: &Collision<S>) -> bool {
+        let rests = |disc: usize| {
+            let velocity = &self.bodies.world.discs[disc].velocity;
+            let still = velocity.norm_squared().sign().is_ok_and(Ordering::is_eq);
+            !self.is_movable(disc) && still
+        };
+        match collision.feature {
+            Feature::Disc(other) if rests(collision.disc) || rests(other as usize) => false,
+            Feature::Disc(_) => collision.joins_different_times(),
+            Feature::Wall(_) | Feature::Corner(_) => false,
+        }
+    }
+}
+
+/// Whether two pairs have a disc in common.
+fn shares_disc(one: &(usize, Obstacle), other: &(usize, Obstacle)) -> bool {
+    let has = |pair: &(usize, Obstacle), disc| pair.0 == disc || pair.1 == Obstacle::Disc(disc);
+    has(other, one.0) || matches!(one.1, Obstacle::Disc(disc) if has(other, disc))
+}

@@ -1,0 +1,71 @@
+//! The paper's detection after a collision (P2.1): step, test, resolve.
+//!
+//! All objects move on by a finite step; then pairs that overlap are moved
+//! apart and, if they approach, collide where they are. Objects that are
+//! nowhere found to overlap pass through each other: the algorithm tunnels.
+//! Smaller steps only make that rarer.
+
+use super::Frame;
+use super::bounded::Bounded;
+use crate::impact::{Impact, Step};
+use crate::scalar::Scalar;
+use crate::world::World;
+
+/// Simulates a frame in so many steps of equal length.
+///
+/// # Errors
+///
+/// An enclosure does not decide whether a pair overlaps or approaches.
+pub fn retroactive<S: Scalar>(
+    world: &mut World<S>,
+    frame: &Frame<S>,
+    substeps: u32,
+) -> Result<Vec<Impact<S>>, S::Doubt> {
+    let substeps = substeps.max(1);
+    let step = frame.duration.clone() / S::from_integer(substeps as i32);
+    let mut impacts = Vec::new();
+    for pass in 1..=substeps {
+        for disc in &mut world.discs {
+            disc.advance(&step);
+        }
+        let clock = step.clone() * S::from_integer(pass as i32);
+        let time = frame.start.clone() + clock;
+        let number = Step {
+            frame: frame.number,
+            pass,
+        };
+        collide_overlapping(world, &time, number, &mut impacts)?;
+    }
+    Ok(impacts)
+}
+
+/// Moves apart whatever overlaps, and lets it collide if it approaches.
+fn collide_overlapping<S: Scalar>(
+    world: &mut World<S>,
+    time: &S,
+    step: Step,
+    impacts: &mut Vec<Impact<S>>,
+) -> Result<(), S::Doubt> {
+    let mut bodies = Bounded::new(world);
+    for (disc, obstacle) in bodies.world.pairs() {
+        let Some(touch) = bodies.separate(disc, obstacle)? else {
+            continue;
+        };
+        if !touch.approaches(bodies.world)? {
+            touch.part(bodies.world);
+            continue;
+        }
+        let contact = touch.collide(bodies.world)?;
+        let (pair, end) = bodies.world.names(disc, touch.feature);
+        impacts.push(Impact {
+            time: time.clone(),
+            other_time: None,
+            pair,
+            end,
+            tie: None,
+            step: Some(step),
+            contact,
+        });
+    }
+    Ok(())
+}
