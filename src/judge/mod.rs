@@ -1,0 +1,17 @@
+//! How far a run is from the truth.
+//!
+//! Two questions are told apart. *Frame by frame*: starting each frame from
+//! the candidate's own state, taken exactly, what does the exact timeline say
+//! of that frame? One early error thus does not condemn all that follows.
+//! *Globally*: where does the candidate leave the true course of events for
+//! the first time?
+
+mod difference;
+mod frames;
+mod tally;
+mod truth;
+
+pub use difference::{Difference, first_difference};
+pub use frames::{Judged, judge};
+pub use tally::{Logged, Tally, compare_frame};
+pub use truth::{Truth, true_frame};

@@ -1,0 +1,51 @@
+//! The exact timeline, as what others are held against.
+
+use super::tally::Logged;
+use crate::body::Disc;
+use crate::impact::{Impact, number_ties};
+use crate::scalar::{Exact, Scalar, Undecided};
+use crate::timeline::Timeline;
+use crate::vec2::Vec2;
+use crate::world::World;
+
+/// What truly happens in a frame.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// The impacts.
+    pub impacts: Vec<Logged>,
+    /// Where each disc is at the end, to binary64.
+    pub end: Vec<Vec2<f64>>,
+}
+
+/// What truly happens to discs, among the walls of a world, in the frame that
+/// starts at `start`.
+///
+/// # Errors
+///
+/// The precision of the numbers leaves a decision open.
+pub fn true_frame(
+    discs: Vec<Disc<Exact>>,
+    world: &World<Exact>,
+    start: &Exact,
+    duration: &Exact,
+) -> Result<Truth, Undecided> {
+    let world = World {
+        discs,
+        ..world.clone()
+    };
+    let mut timeline = Timeline::new(world, duration)?;
+    let mut impacts = Vec::new();
+    while let Some(impact) = timeline.next_impact(duration)? {
+        let time = start.clone() + &impact.time;
+        impacts.push(Impact { time, ..impact });
+    }
+    number_ties(&mut impacts);
+    let end = timeline.discs_at(duration);
+    Ok(Truth {
+        impacts: impacts.iter().map(Logged::from).collect(),
+        end: end
+            .iter()
+            .map(|disc| disc.position.map(Exact::to_f64))
+            .collect(),
+    })
+}

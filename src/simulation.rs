@@ -1,0 +1,166 @@
+//! One algorithm in one arithmetic: frame by frame, or from start to end.
+
+use std::fmt;
+
+use num_rational::BigRational;
+
+use crate::arithmetic::Arithmetic;
+use crate::body::Disc;
+use crate::frame::{self, Frame, Passes};
+use crate::impact::Impact;
+use crate::scalar::Scalar;
+use crate::scene::{self, Scene};
+use crate::timeline::Timeline;
+use crate::world::World;
+
+/// How a scene is simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Algorithm {
+    /// Step, test for overlap, resolve, so many times a frame.
+    Retroactive {
+        /// The number of steps a frame.
+        substeps: u32,
+    },
+    /// The paper's single collision algorithm.
+    Single,
+    /// The paper's multiple collision algorithm.
+    Multiple(Passes),
+    /// The same with the clocks of a pair brought together.
+    Synchronised(Passes),
+    /// Event-driven: always the next impact of all.
+    Timeline,
+}
+
+impl fmt::Display for Algorithm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Retroactive { .. } => "retroactive",
+            Self::Single => "single",
+            Self::Multiple(_) => "multiple",
+            Self::Synchronised(_) => "synchronised",
+            Self::Timeline => "timeline",
+        })
+    }
+}
+
+/// A scene that is being simulated frame by frame.
+#[derive(Clone, Debug)]
+pub struct Simulation<S: Scalar> {
+    machine: Machine<S>,
+    clock: FrameClock,
+    precision: S::Precision,
+    frame: u64,
+}
+
+#[derive(Clone, Debug)]
+enum Machine<S: Scalar> {
+    Frames(World<S>, Algorithm),
+    Timeline(Box<Timeline<S>>),
+}
+
+impl<S: Arithmetic> Simulation<S> {
+    /// The start of a scene.
+    ///
+    /// # Errors
+    ///
+    /// The timeline cannot decide what the discs meet first.
+    pub fn new(
+        scene: &Scene,
+        algorithm: Algorithm,
+        precision: S::Precision,
+    ) -> Result<Self, S::Doubt> {
+        let world = World::new(scene, precision);
+        let clock = FrameClock::new(scene.frame());
+        let machine = match algorithm {
+            Algorithm::Timeline => {
+                let end = clock.start_of(scene.frame().count, precision);
+                Machine::Timeline(Box::new(Timeline::new(world, &end)?))
+            }
+            _ => Machine::Frames(world, algorithm),
+        };
+        Ok(Self {
+            machine,
+            clock,
+            precision,
+            frame: 0,
+        })
+    }
+
+    /// Simulates the next frame and returns its impacts.
+    ///
+    /// # Errors
+    ///
+    /// The arithmetic leaves a decision open.
+    pub fn next_frame(&mut self) -> Result<Vec<Impact<S>>, S::Doubt> {
+        let frame = self.clock.frame(self.frame, self.precision);
+        self.frame += 1;
+        match &mut self.machine {
+            Machine::Frames(world, algorithm) => step(world, &frame, *algorithm),
+            Machine::Timeline(timeline) => {
+                let end = self.clock.start_of(self.frame, self.precision);
+                std::iter::from_fn(|| timeline.next_impact(&end).transpose()).collect()
+            }
+        }
+    }
+
+    /// The discs as they are at the end of the latest frame.
+    pub fn discs(&self) -> Vec<Disc<S>> {
+        match &self.machine {
+            Machine::Frames(world, _) => world.discs.clone(),
+            Machine::Timeline(timeline) => {
+                timeline.discs_at(&self.clock.start_of(self.frame, self.precision))
+            }
+        }
+    }
+}
+
+/// Simulates a frame with one of the paper's algorithms.
+fn step<S: Scalar>(
+    world: &mut World<S>,
+    frame: &Frame<S>,
+    algorithm: Algorithm,
+) -> Result<Vec<Impact<S>>, S::Doubt> {
+    match algorithm {
+        Algorithm::Retroactive { substeps } => frame::retroactive(world, frame, substeps),
+        Algorithm::Single => frame::single(world, frame),
+        Algorithm::Multiple(passes) => frame::multiple(world, frame, passes),
+        Algorithm::Synchronised(passes) => frame::synchronised(world, frame, passes),
+        Algorithm::Timeline => unreachable!("the timeline is no frame algorithm"),
+    }
+}
+
+/// The exact times at which frames start.
+#[derive(Clone, Debug)]
+pub struct FrameClock {
+    duration: BigRational,
+}
+
+impl FrameClock {
+    /// The clock of a scene's frames.
+    pub fn new(frame: &scene::Frame) -> Self {
+        Self {
+            duration: frame.duration.to_rational(),
+        }
+    }
+
+    /// When a frame starts, rounded at most once.
+    pub fn start_of<S: Arithmetic>(&self, frame: u64, precision: S::Precision) -> S {
+        let start = &self.duration * BigRational::from_integer(frame.into());
+        S::from_rational(start, precision)
+    }
+
+    /// How many frames it takes to get to a time.
+    pub fn frames_until(&self, end: &BigRational) -> u64 {
+        let frames = (end / &self.duration).ceil().to_integer();
+        u64::try_from(frames).unwrap_or(u64::MAX)
+    }
+
+    /// A frame.
+    pub fn frame<S: Arithmetic>(&self, number: u64, precision: S::Precision) -> Frame<S> {
+        Frame {
+            number,
+            start: self.start_of(number, precision),
+            duration: S::from_rational(self.duration.clone(), precision),
+        }
+    }
+}

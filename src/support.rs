@@ -1,0 +1,96 @@
+//! What of a scene cannot be simulated, told before anything runs.
+
+use crate::arithmetic::Arithmetic;
+use crate::scalar::Number;
+use crate::scene::{Mass, Restitution, Scene};
+
+/// Something that a scene asks for and that is not to be had.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Unsupported {
+    /// An effect that this version does not simulate.
+    #[error("{place}: not simulated by this version")]
+    Effect {
+        /// Where the scene asks for it.
+        place: &'static str,
+    },
+    /// A number that is too large or too small for an arithmetic.
+    #[error(
+        "{place}: expected a magnitude between 2^-{range} and 2^{range} for binary64, found {found}",
+        range = Number::BINARY64_RANGE
+    )]
+    Range {
+        /// Where the number stands.
+        place: String,
+        /// The number.
+        found: String,
+    },
+}
+
+/// Whether a scene can be simulated in an arithmetic.
+///
+/// # Errors
+///
+/// The first thing that cannot.
+pub fn check_support<S: Arithmetic>(scene: &Scene) -> Result<(), Unsupported> {
+    let effects = scene.effects();
+    let absent = [
+        (scene.periodic().is_some(), "periodic"),
+        (effects.gravity.is_some(), "effects.gravity"),
+        (effects.drag.is_some(), "effects.drag"),
+    ];
+    if let Some((_, place)) = absent.into_iter().find(|(asked, _)| *asked) {
+        return Err(Unsupported::Effect { place });
+    }
+    if S::LIMITED {
+        check_range(scene)?;
+    }
+    Ok(())
+}
+
+/// Every number of a scene must be in the range in which no product of four
+/// overflows or vanishes.
+fn check_range(scene: &Scene) -> Result<(), Unsupported> {
+    let outside = numbers(scene).find(|(_, number)| !number.fits_binary64());
+    match outside {
+        None => Ok(()),
+        Some((place, number)) => Err(Unsupported::Range {
+            place,
+            found: number.to_string(),
+        }),
+    }
+}
+
+/// All numbers of a scene, with their places.
+fn numbers(scene: &Scene) -> impl Iterator<Item = (String, &Number)> {
+    let discs = scene.discs().iter().enumerate().flat_map(|(index, disc)| {
+        let mass = match &disc.mass {
+            Mass::Finite(mass) => Some(mass),
+            Mass::Infinite => None,
+        };
+        let named = disc.position.iter().map(|number| ("position", number));
+        let named = named.chain(disc.velocity.iter().map(|number| ("velocity", number)));
+        let named = named.chain([("radius", &disc.radius)]);
+        let named = named.chain(mass.map(|number| ("mass", number)));
+        named.map(move |(key, number)| (format!("discs[{index}].{key}"), number))
+    });
+    let walls = scene.walls().iter().enumerate().flat_map(|(index, wall)| {
+        let from = wall.from.iter().map(|number| ("from", number));
+        let named = from.chain(wall.to.iter().map(|number| ("to", number)));
+        named.map(move |(key, number)| (format!("walls[{index}].{key}"), number))
+    });
+    let duration = (String::from("frame.duration"), &scene.frame().duration);
+    discs
+        .chain(walls)
+        .chain([duration])
+        .chain(slow_limit(scene))
+}
+
+fn slow_limit(scene: &Scene) -> Option<(String, &Number)> {
+    match &scene.effects().restitution {
+        Restitution::Newton { elastic_below, .. } => elastic_below
+            .as_ref()
+            .map(|speed| (String::from("effects.restitution.elastic_below"), speed)),
+        _ => None,
+    }
+}
