@@ -1,28 +1,21 @@
 //! Exact numbers: rationals as long as they last, proven enclosures beyond.
 
-use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::ball::{Ball, BallRef};
 use super::dyadic::Dyadic;
-use super::isqrt::exact_sqrt;
-use super::rounding::{Rounding, ratio_to_f64};
+use super::value::{Value, precision};
 use super::{Interval, Number, Scalar, Undecided};
-
-/// The bits of an enclosure where no operand says how many.
-const DEFAULT_BITS: u32 = 128;
 
 /// A number that is known exactly, or enclosed and proven to lie within.
 ///
 /// Results are rational, without any rounding, as long as their operands are
-/// and [`RATIONAL_BITS`](Self::RATIONAL_BITS) are enough; then, and at every root of what is not
-/// the square of a rational, they become midpoint-radius enclosures. Zero is
-/// the exception to the rule that an enclosure stays one: zero times anything
-/// is zero, and adding zero changes nothing.
+/// and [`RATIONAL_BITS`](Self::RATIONAL_BITS) are enough; then, and at every
+/// root of what is not the square of a rational, they become midpoint-radius
+/// enclosures. Zero is the exception to the rule that an enclosure stays one:
+/// zero times anything is zero, and adding zero changes nothing.
 ///
 /// A number carries the bits of the enclosures that come from it: those it
 /// was made with, or for a result, the most that any operand carries.
@@ -37,10 +30,10 @@ const DEFAULT_BITS: u32 = 128;
 /// use std::cmp::Ordering;
 /// use carom::scalar::{Exact, Number, Scalar};
 ///
-/// let two = Exact::from_number(&Number::from(2), 64);
+/// let two = Exact::from_number(&Number::from(2), 128);
 /// let root = two.sqrt();
 /// assert!(!root.is_rational());
-/// let close = Exact::from_number(&"1.4142135623730950488".parse()?, 64);
+/// let close = Exact::from_number(&"1.4142135623730950488".parse()?, 128);
 /// assert_eq!(root.compare(&close), Ok(Ordering::Greater));
 /// assert!(root.square().compare(&two).is_err(), "enclosures cannot tell equality");
 /// # Ok::<(), carom::scalar::NumberError>(())
@@ -52,16 +45,6 @@ pub struct Exact {
     bits: u32,
 }
 
-#[derive(Clone, Debug)]
-enum Value {
-    /// Normalised.
-    Dyadic(Dyadic),
-    /// In lowest terms, and not dyadic.
-    Ratio(Box<BigRational>),
-    /// All else.
-    Ball(Ball),
-}
-
 impl Exact {
     /// The bits of the numerator and the denominator of a rational, together,
     /// up to which it is computed with as such. A longer one becomes an
@@ -70,10 +53,7 @@ impl Exact {
 
     /// Whether the number is known exactly, as a rational.
     pub fn is_rational(&self) -> bool {
-        match &self.value {
-            Value::Dyadic(_) | Value::Ratio(_) => true,
-            Value::Ball(ball) => ball.view().is_exact(),
-        }
+        self.value.is_exact()
     }
 
     /// How many leading bits of the number are certain: some n such that the
@@ -85,113 +65,16 @@ impl Exact {
         }
     }
 
-    fn new(value: Value, bits: u32) -> Self {
-        Self { value, bits }
-    }
-
     /// The bits that a result of two operands carries.
     fn common_bits(&self, other: &Self) -> u32 {
         self.bits.max(other.bits)
     }
-}
 
-/// The bits of an enclosure made by operands that carry so many.
-fn precision(bits: u32) -> u32 {
-    if bits == 0 { DEFAULT_BITS } else { bits }
-}
-
-impl Value {
-    /// A dyadic number, unless it has become too long.
-    fn from_dyadic(number: Dyadic, bits: u32) -> Self {
-        let number = number.normalised();
-        let length = number.mantissa().bits() + number.exponent().unsigned_abs() + 1;
-        if length > Exact::RATIONAL_BITS {
-            return Self::Ball(Ball::from_dyadic(number, precision(bits)));
-        }
-        Self::Dyadic(number)
-    }
-
-    /// A fraction in lowest terms, unless it has become too long.
-    fn from_ratio(ratio: BigRational, bits: u32) -> Self {
-        let shift = ratio.denom().trailing_zeros().unwrap_or(0);
-        if ratio.denom().bits() == shift + 1 {
-            let (numerator, _) = ratio.into_raw();
-            return Self::from_dyadic(Dyadic::new(numerator, -(shift as i64)), bits);
-        }
-        if ratio.numer().bits() + ratio.denom().bits() > Exact::RATIONAL_BITS {
-            return Self::Ball(Ball::from_ratio(&ratio, precision(bits)));
-        }
-        Self::Ratio(Box::new(ratio))
-    }
-
-    fn is_zero(&self) -> bool {
-        matches!(self, Self::Dyadic(number) if number.is_zero())
-    }
-
-    fn is_certainly_nonzero(&self) -> bool {
-        self.sign().is_some_and(Ordering::is_ne)
-    }
-
-    /// The sign, where it is certain.
-    fn sign(&self) -> Option<Ordering> {
-        match self {
-            Self::Dyadic(number) => Some(number.sign()),
-            Self::Ratio(ratio) => Some(ratio.numer().cmp(&BigInt::ZERO)),
-            Self::Ball(ball) => ball.view().sign(),
-        }
-    }
-
-    /// The number as a fraction, if it is held as a rational.
-    fn ratio(&self) -> Option<Cow<'_, BigRational>> {
-        match self {
-            Self::Dyadic(number) => Some(Cow::Owned(number.to_rational())),
-            Self::Ratio(ratio) => Some(Cow::Borrowed(ratio)),
-            Self::Ball(_) => None,
-        }
-    }
-
-    /// Looks at the number as a ball.
-    #[inline]
-    fn with_ball<T>(&self, bits: u32, look: impl FnOnce(BallRef<'_>) -> T) -> T {
-        match self {
-            Self::Dyadic(number) => look(BallRef::exact(number)),
-            Self::Ratio(ratio) => look(Ball::from_ratio(ratio, precision(bits)).view()),
-            Self::Ball(ball) => look(ball.view()),
-        }
-    }
-
-    /// Computes with two numbers as balls.
-    #[inline]
-    fn with_balls<T>(
-        &self,
-        other: &Self,
-        bits: u32,
-        look: impl FnOnce(BallRef<'_>, BallRef<'_>) -> T,
-    ) -> T {
-        self.with_ball(bits, |a| other.with_ball(bits, |b| look(a, b)))
-    }
-
-    /// The root of the square of a rational.
-    fn rational_sqrt(&self, bits: u32) -> Option<Self> {
-        match self {
-            Self::Dyadic(number) if number.exponent() % 2 == 0 => {
-                let root = sqrt_of_square(number.mantissa())?;
-                Some(Self::from_dyadic(
-                    Dyadic::new(root, number.exponent() / 2),
-                    bits,
-                ))
-            }
-            Self::Ratio(ratio) => {
-                let numerator = sqrt_of_square(ratio.numer())?;
-                let denominator = sqrt_of_square(ratio.denom())?;
-                // Roots of coprime squares are coprime.
-                Some(Self::from_ratio(
-                    BigRational::new_raw(numerator, denominator),
-                    bits,
-                ))
-            }
-            _ => None,
-        }
+    /// Applies an operation to two values.
+    fn combine(&self, other: &Self, operation: impl FnOnce(&Value, &Value, u32) -> Value) -> Self {
+        let bits = self.common_bits(other);
+        let value = operation(&self.value, &other.value, bits);
+        Self { value, bits }
     }
 }
 
@@ -202,64 +85,52 @@ impl Scalar for Exact {
     const ROUNDS: bool = false;
     const FILTERED: bool = true;
 
-    /// The number itself, or where it is longer than [`RATIONAL_BITS`](Self::RATIONAL_BITS), an
-    /// enclosure of so many bits.
+    /// The number itself, or where it is longer than
+    /// [`RATIONAL_BITS`](Self::RATIONAL_BITS), an enclosure of so many bits.
     fn from_number(number: &Number, bits: u32) -> Self {
         let value = match number.as_binary64() {
             Some(binary) => Value::from_dyadic(Dyadic::from_f64(binary), bits),
             None => Value::from_ratio(number.to_rational(), bits),
         };
-        Self::new(value, bits)
+        Self { value, bits }
     }
 
     fn from_integer(integer: i32) -> Self {
-        Self::new(Value::Dyadic(Dyadic::from(integer)), 0)
+        let value = Value::Dyadic(Dyadic::from(integer));
+        Self { value, bits: 0 }
     }
 
     fn sign(&self) -> Result<Ordering, Undecided> {
-        let sign = self.value.sign();
-        sign.ok_or_else(|| Undecided::sign(precision(self.bits)))
+        let undecided = || Undecided::sign(precision(self.bits));
+        self.value.sign().ok_or_else(undecided)
     }
 
     /// Always decided for two numbers held as rationals.
     fn compare(&self, other: &Self) -> Result<Ordering, Undecided> {
-        if let (Value::Dyadic(a), Value::Dyadic(b)) = (&self.value, &other.value) {
-            return Ok(a.compare(b));
-        }
-        let (a, b) = (self.hull(), other.hull());
-        if a.hi() < b.lo() {
-            return Ok(Ordering::Less);
-        }
-        if a.lo() > b.hi() {
-            return Ok(Ordering::Greater);
-        }
-        self.compare_closely(other)
+        let bits = precision(self.common_bits(other));
+        let order = self.value.compare(&other.value, bits);
+        order.ok_or_else(|| Undecided::sign(bits))
     }
 
     fn square(&self) -> Self {
-        let value = match &self.value {
-            Value::Dyadic(a) => Value::from_dyadic(a.mul(a), self.bits),
-            Value::Ratio(ratio) => Value::from_ratio(ratio_square(ratio), self.bits),
-            Value::Ball(ball) => Value::Ball(ball.view().square(precision(self.bits))),
-        };
-        Self::new(value, self.bits)
+        Self {
+            value: self.value.square(self.bits),
+            bits: self.bits,
+        }
     }
 
     /// Rational for the square of a rational. What an enclosure has below
     /// zero is cut off.
     fn sqrt(&self) -> Self {
-        let bits = precision(self.bits);
-        let enclosure = || Value::Ball(self.value.with_ball(bits, |a| a.sqrt(bits)));
-        let value = self
-            .value
-            .rational_sqrt(self.bits)
-            .unwrap_or_else(enclosure);
-        Self::new(value, self.bits)
+        Self {
+            value: self.value.sqrt(self.bits),
+            bits: self.bits,
+        }
     }
 
     /// By the plain formula: what cancels shows in the radius.
     fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
-        a.product(b) - c.product(d)
+        a.combine(b, Value::mul) - c.combine(d, Value::mul)
     }
 
     fn not_before(self, _: &Self) -> Self {
@@ -267,98 +138,18 @@ impl Scalar for Exact {
     }
 
     fn to_f64(&self) -> f64 {
-        match &self.value {
-            Value::Dyadic(number) => number.to_f64(Rounding::Nearest),
-            Value::Ratio(ratio) => ratio_to_f64(ratio, Rounding::Nearest),
-            Value::Ball(ball) => ball.view().to_f64(),
-        }
+        self.value.to_f64()
     }
 
     /// For a rational the nearest bounds there are.
     fn hull(&self) -> Interval {
-        match &self.value {
-            Value::Dyadic(number) => BallRef::exact(number).hull(),
-            Value::Ratio(ratio) => Interval::new(
-                ratio_to_f64(ratio, Rounding::Down),
-                ratio_to_f64(ratio, Rounding::Up),
-            ),
-            Value::Ball(ball) => ball.view().hull(),
-        }
+        self.value.hull()
     }
 
     /// None for a quotient by what may be zero.
     fn enclosure(&self) -> Option<(BigRational, BigRational)> {
-        match &self.value {
-            Value::Ball(ball) => ball.view().ends(),
-            rational => rational.ratio().map(|ratio| {
-                let ratio = ratio.into_owned();
-                (ratio.clone(), ratio)
-            }),
-        }
+        self.value.ends()
     }
-}
-
-impl Exact {
-    /// The order of numbers whose binary64 bounds overlap.
-    fn compare_closely(&self, other: &Self) -> Result<Ordering, Undecided> {
-        if let Some((a, b)) = ratios(&self.value, &other.value) {
-            return Ok(compare_ratios(&a, &b));
-        }
-        let bits = precision(self.common_bits(other));
-        let difference = |a: BallRef<'_>, b: BallRef<'_>| a.sub(b, bits).view().sign();
-        let order = self.value.with_balls(&other.value, bits, difference);
-        order.ok_or_else(|| Undecided::sign(bits))
-    }
-
-    fn product(&self, other: &Self) -> Self {
-        let bits = self.common_bits(other);
-        let value = match (&self.value, &other.value) {
-            (a, b) if a.is_zero() || b.is_zero() => Value::Dyadic(Dyadic::zero()),
-            (Value::Dyadic(a), Value::Dyadic(b)) => Value::from_dyadic(a.mul(b), bits),
-            (a, b) => match ratios(a, b) {
-                Some((a, b)) => Value::from_ratio(&*a * &*b, bits),
-                None => Value::Ball(a.with_balls(b, bits, |a, b| a.mul(b, precision(bits)))),
-            },
-        };
-        Self::new(value, bits)
-    }
-
-    fn quotient(&self, other: &Self) -> Self {
-        let bits = self.common_bits(other);
-        let value = match (&self.value, &other.value) {
-            (_, b) if !b.is_certainly_nonzero() => Value::Ball(Ball::unknown()),
-            (a, _) if a.is_zero() => Value::Dyadic(Dyadic::zero()),
-            (a, b) => match ratios(a, b) {
-                Some((a, b)) => Value::from_ratio(&*a / &*b, bits),
-                None => Value::Ball(a.with_balls(b, bits, |a, b| a.div(b, precision(bits)))),
-            },
-        };
-        Self::new(value, bits)
-    }
-}
-
-/// Two numbers as fractions, if both are held as rationals.
-fn ratios<'a>(a: &'a Value, b: &'a Value) -> Option<(Cow<'a, BigRational>, Cow<'a, BigRational>)> {
-    match (a, b) {
-        (Value::Ball(_), _) | (_, Value::Ball(_)) => None,
-        (a, b) => Some((a.ratio()?, b.ratio()?)),
-    }
-}
-
-/// By cross-multiplication, which takes two products; the order that the
-/// ratios come with takes a division for each term of a continued fraction.
-fn compare_ratios(a: &BigRational, b: &BigRational) -> Ordering {
-    (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
-}
-
-/// In lowest terms, since the number squared is.
-fn ratio_square(ratio: &BigRational) -> BigRational {
-    BigRational::new_raw(ratio.numer() * ratio.numer(), ratio.denom() * ratio.denom())
-}
-
-fn sqrt_of_square(integer: &BigInt) -> Option<BigInt> {
-    // None for a negative number.
-    Some(exact_sqrt(&integer.to_biguint()?)?.into())
 }
 
 impl Add<&Self> for Exact {
@@ -366,17 +157,8 @@ impl Add<&Self> for Exact {
 
     fn add(self, other: &Self) -> Self {
         let bits = self.common_bits(other);
-        let value = match (self.value, &other.value) {
-            (zero, value) if zero.is_zero() => value.clone(),
-            (value, zero) if zero.is_zero() => value,
-            (Value::Dyadic(a), Value::Dyadic(b)) => Value::from_dyadic(a.add(b), bits),
-            (Value::Ball(a), b) => Value::Ball(b.with_ball(bits, |b| a.add(b, precision(bits)))),
-            (a, b) => match ratios(&a, b) {
-                Some((a, b)) => Value::from_ratio(&*a + &*b, bits),
-                None => Value::Ball(a.with_balls(b, bits, |a, b| a.add(b, precision(bits)))),
-            },
-        };
-        Self::new(value, bits)
+        let value = self.value.add(&other.value, bits);
+        Self { value, bits }
     }
 }
 
@@ -393,7 +175,7 @@ impl Mul<&Self> for Exact {
     type Output = Self;
 
     fn mul(self, other: &Self) -> Self {
-        self.product(other)
+        self.combine(other, Value::mul)
     }
 }
 
@@ -401,7 +183,7 @@ impl Div<&Self> for Exact {
     type Output = Self;
 
     fn div(self, other: &Self) -> Self {
-        self.quotient(other)
+        self.combine(other, Value::div)
     }
 }
 
@@ -409,12 +191,10 @@ impl Neg for Exact {
     type Output = Self;
 
     fn neg(self) -> Self {
-        let value = match self.value {
-            Value::Dyadic(number) => Value::Dyadic(-number),
-            Value::Ratio(ratio) => Value::Ratio(Box::new(-*ratio)),
-            Value::Ball(ball) => Value::Ball(-ball),
-        };
-        Self::new(value, self.bits)
+        Self {
+            value: -self.value,
+            bits: self.bits,
+        }
     }
 }
 
@@ -437,6 +217,7 @@ forward_by_value!(Add add, Sub sub, Mul mul, Div div);
 mod tests {
     use std::cmp::Ordering::{Equal, Greater, Less};
 
+    use num_bigint::BigInt;
     use num_traits::One;
     use proptest::prelude::*;
 

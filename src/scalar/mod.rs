@@ -21,6 +21,7 @@ mod parse;
 mod radius;
 mod rounding;
 mod undecided;
+mod value;
 
 use std::cmp::Ordering;
 use std::fmt::Debug;
