@@ -6,6 +6,7 @@ use num_rational::BigRational;
 
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
+use crate::contacts::Contacts;
 use crate::frame::{self, Frame, Passes};
 use crate::impact::Impact;
 use crate::scalar::Scalar;
@@ -110,6 +111,14 @@ impl<S: Arithmetic> Simulation<S> {
             Machine::Timeline(timeline) => {
                 timeline.discs_at(&self.clock.start_of(self.frame, self.precision))
             }
+        }
+    }
+
+    /// What touches by construction at the end of the latest frame.
+    pub fn contacts(&self) -> Contacts {
+        match &self.machine {
+            Machine::Frames(world, _) => world.contacts.clone(),
+            Machine::Timeline(timeline) => Contacts::none(timeline.disc_count()),
         }
     }
 }

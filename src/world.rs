@@ -1,10 +1,12 @@
 //! A scene's bodies in one arithmetic, and how two of them meet.
 
+use std::cmp::Ordering::{self, Greater};
 use std::collections::HashMap;
 
 use num_rational::BigRational;
 
 use crate::body::{BodyId, Disc, End, Feature, Mass, Pair, Wall};
+use crate::contacts::Contacts;
 use crate::detect::{
     Encounter, Overlap, Segment, meet_circle, meet_segment, overlap_circle, overlap_segment,
 };
@@ -52,6 +54,8 @@ pub struct World<S> {
     pub corners: Vec<Corner>,
     /// What impacts lose.
     pub restitution: Restitution<S>,
+    /// What touches by construction, where the discs are now.
+    pub contacts: Contacts,
 }
 
 impl<S: Scalar> World<S> {
@@ -71,16 +75,19 @@ impl<S: Scalar> World<S> {
                 .collect(),
             corners: corners.list,
             restitution: make_restitution(&scene.effects().restitution, number),
+            contacts: Contacts::none(scene.discs().len()),
         }
     }
 
-    /// Binary64 bounds of everything.
+    /// Binary64 bounds of everything. What touches by construction is left
+    /// out: bounds leave that open.
     pub fn hull(&self) -> World<Interval> {
         World {
             discs: self.discs.iter().map(|disc| disc.map(S::hull)).collect(),
             walls: self.walls.iter().map(hull_of_wall).collect(),
             corners: self.corners.clone(),
             restitution: self.restitution.map(S::hull),
+            contacts: Contacts::none(self.discs.len()),
         }
     }
 }
@@ -134,6 +141,51 @@ impl<S: Scalar> World<S> {
             .filter(move |&obstacle| !self.is_barred(disc, obstacle))
     }
 
+    /// Whether a disc moves towards a feature that it touches where all are.
+    ///
+    /// # Errors
+    ///
+    /// An enclosure does not decide it.
+    pub fn approaches_here(&self, disc: usize, feature: Feature) -> Result<bool, S::Doubt> {
+        let other = match feature {
+            Feature::Disc(other) => self.discs[other as usize].position.clone(),
+            Feature::Wall(_) | Feature::Corner(_) => Vec2::zero(),
+        };
+        self.approaches(disc, feature, &other)
+    }
+
+    /// Forgets what a disc touches that moves in a direction; only a wall
+    /// along which it moves it goes on to touch.
+    pub(crate) fn leave_contacts(&mut self, disc: usize, direction: &Vec2<S>) {
+        let walls = &self.walls;
+        self.contacts.leave(disc, |feature| {
+            let Feature::Wall(wall) = feature else {
+                return false;
+            };
+            let along = &walls[wall as usize].segment.along;
+            along.cross(direction).sign().is_ok_and(Ordering::is_eq)
+        });
+    }
+
+    /// Moves a disc freely for a time.
+    pub(crate) fn advance_disc(&mut self, disc: usize, time: &S) {
+        if time.sign().is_ok_and(Ordering::is_eq) {
+            return;
+        }
+        self.discs[disc].advance(time);
+        if !self.contacts.of(disc).is_empty() {
+            let velocity = self.discs[disc].velocity.clone();
+            self.leave_contacts(disc, &velocity);
+        }
+    }
+
+    /// Moves all discs freely for a time.
+    pub(crate) fn advance(&mut self, time: &S) {
+        for disc in 0..self.discs.len() {
+            self.advance_disc(disc, time);
+        }
+    }
+
     /// How many pairs overlap.
     ///
     /// # Errors
@@ -168,6 +220,9 @@ impl<S: Scalar> World<S> {
         disc: usize,
         obstacle: Obstacle,
     ) -> Result<Option<(Feature, Overlap<S>)>, S::Doubt> {
+        if self.contact(disc, obstacle).is_some() {
+            return Ok(None);
+        }
         let body = &self.discs[disc];
         match obstacle {
             Obstacle::Disc(other) => {
@@ -183,6 +238,52 @@ impl<S: Scalar> World<S> {
                 Ok(overlap.map(|overlap| (self.feature(wall, overlap.end), overlap)))
             }
         }
+    }
+
+    /// What of an obstacle a disc touches by construction.
+    #[inline]
+    pub fn contact(&self, disc: usize, obstacle: Obstacle) -> Option<Feature> {
+        let mut touched = self.contacts.of(disc).iter().copied();
+        touched.find(|feature| match (*feature, obstacle) {
+            (Feature::Disc(other), Obstacle::Disc(index)) => other as usize == index,
+            (Feature::Wall(other), Obstacle::Wall(index)) => other as usize == index,
+            (Feature::Corner(corner), Obstacle::Wall(index)) => {
+                self.walls[index].corners.contains(&corner)
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether a disc moves towards a feature that it touches, another disc
+    /// being where `other` says.
+    ///
+    /// # Errors
+    ///
+    /// An enclosure does not decide it.
+    pub fn approaches(
+        &self,
+        disc: usize,
+        feature: Feature,
+        other: &Vec2<S>,
+    ) -> Result<bool, S::Doubt> {
+        let Disc {
+            position, velocity, ..
+        } = &self.discs[disc];
+        let closing = match feature {
+            Feature::Wall(wall) => {
+                let segment = &self.walls[wall as usize].segment;
+                return segment.is_approached(position, velocity);
+            }
+            Feature::Corner(corner) => {
+                let offset = self.corner_position(corner).minus(position);
+                velocity.dot(&offset)
+            }
+            Feature::Disc(index) => {
+                let closing = velocity.minus(&self.discs[index as usize].velocity);
+                closing.dot(&other.minus(position))
+            }
+        };
+        Ok(closing.sign()? == Greater)
     }
 
     /// When the discs i and j meet, from relative position and velocity.

@@ -6,8 +6,6 @@
 //! they approach. Concentric discs and a centre on a wall give no direction
 //! and are left alone.
 
-use std::cmp::Ordering::Greater;
-
 use crate::body::Feature;
 use crate::impact::{Contact, two};
 use crate::respond::{Share, shares};
@@ -36,8 +34,10 @@ pub(super) fn separate<S: Scalar>(
         return Ok(None);
     };
     let push = separation.direction.scaled(&separation.lack);
+    world.leave_contacts(disc, &separation.direction);
     match feature {
         Feature::Disc(other) => {
+            world.leave_contacts(other as usize, &separation.direction);
             let [first, second] = two(&mut world.discs, disc, other as usize);
             let (first_share, second_share) = shares(&first.mass, &second.mass);
             displace(&mut first.position, &-push.clone(), &first_share);
@@ -47,6 +47,7 @@ pub(super) fn separate<S: Scalar>(
             displace(&mut world.discs[disc].position, &-push, &Share::Whole);
         }
     }
+    world.contacts.join(disc, feature);
     Ok(Some(Touch {
         disc,
         feature,
@@ -63,21 +64,6 @@ fn displace<S: Scalar>(position: &mut Vec2<S>, push: &Vec2<S>, share: &Share<S>)
 }
 
 impl<S: Scalar> Touch<S> {
-    /// Whether the two move towards each other.
-    pub(super) fn approaches(&self, world: &World<S>) -> Result<bool, S::Doubt> {
-        let velocity = &world.discs[self.disc].velocity;
-        let closing = match self.feature {
-            Feature::Disc(other) => velocity.minus(&world.discs[other as usize].velocity),
-            Feature::Wall(_) | Feature::Corner(_) => velocity.clone(),
-        };
-        Ok(closing.dot(&self.direction).sign()? == Greater)
-    }
-
-    /// Remembers that the two do not meet until something changes.
-    pub(super) fn part(&self, world: &mut World<S>) {
-        world.remember(self.disc, self.feature);
-    }
-
     /// Lets the two collide where they are.
     pub(super) fn collide(&self, world: &mut World<S>) -> Result<Contact<S>, S::Doubt> {
         world.collide(self.disc, self.feature, self.direction.clone(), true)

@@ -29,8 +29,6 @@ pub(super) struct Passing<'a, S: Scalar> {
     collided: Vec<bool>,
     /// Whether the object's last collision joined clocks that differ.
     askew: Vec<bool>,
-    /// Pairs that overlapped, were moved apart, and approach.
-    touching: Vec<((usize, Obstacle), Feature)>,
     pass: u32,
 }
 
@@ -46,7 +44,6 @@ impl<'a, S: Scalar> Passing<'a, S> {
             modified: vec![false; count],
             collided: vec![false; count],
             askew: vec![false; count],
-            touching: Vec::new(),
             pass: 0,
         }
     }
@@ -57,12 +54,8 @@ impl<'a, S: Scalar> Passing<'a, S> {
             let Some(touch) = self.bodies.separate(disc, obstacle)? else {
                 continue;
             };
-            let moved = (disc, obstacle);
-            self.touching.retain(|(pair, _)| !shares_disc(pair, &moved));
-            if touch.approaches(self.bodies.world)? {
-                self.touching.push((moved, touch.feature));
-            } else {
-                touch.part(self.bodies.world);
+            if !self.bodies.world.approaches_here(disc, touch.feature)? {
+                self.bodies.world.remember(disc, touch.feature);
             }
         }
         Ok(())
@@ -74,7 +67,6 @@ impl<'a, S: Scalar> Passing<'a, S> {
         let found = self.detect()?;
         let kept = self.keep_first(found)?;
         self.collided.fill(false);
-        self.touching.clear();
         kept.into_iter()
             .map(|collision| self.respond(&collision))
             .collect()
@@ -89,14 +81,11 @@ impl<'a, S: Scalar> Passing<'a, S> {
             askew,
             ..
         } = self;
-        for (index, disc) in bodies.world.discs.iter_mut().enumerate() {
-            if collided[index] {
-                continue;
-            }
-            disc.advance(&clocked.left(index));
-            if askew[index] {
+        for disc in (0..collided.len()).filter(|&disc| !collided[disc]) {
+            bodies.world.advance_disc(disc, &clocked.left(disc));
+            if askew[disc] {
                 // The two went on for different times: they may meet again.
-                disc.last = None;
+                bodies.world.discs[disc].last = None;
             }
         }
     }
@@ -121,9 +110,9 @@ impl<'a, S: Scalar> Passing<'a, S> {
 
     #[inline]
     fn test(&self, disc: usize, obstacle: Obstacle) -> Result<Option<Collision<S>>, S::Doubt> {
-        let mut touching = self.touching.iter();
-        if let Some((_, feature)) = touching.find(|(pair, _)| *pair == (disc, obstacle)) {
-            return Ok(Some(self.clocked.touching(disc, *feature)));
+        if let Some(feature) = self.bodies.world.contact(disc, obstacle) {
+            let approaches = self.bodies.world.approaches_here(disc, feature)?;
+            return Ok(approaches.then(|| self.clocked.touching(disc, feature)));
         }
         if let (Some(clocked), Some(world)) = (&self.bounds, self.bodies.bounds())
             && matches!(clocked.test(world, disc, obstacle), Ok(None))
@@ -182,11 +171,12 @@ impl<'a, S: Scalar> Passing<'a, S> {
         let (disc, feature) = (collision.disc, collision.feature);
         let other = self.partner_at(collision);
         for (object, span, _) in self.moved(collision) {
-            self.bodies.world.discs[object].advance(span);
+            self.bodies.world.advance_disc(object, span);
         }
         let world = &mut *self.bodies.world;
         let normal = world.normal(disc, feature, &other);
         let contact = world.collide(disc, feature, normal, collision.overlap)?;
+        world.contacts.join(disc, feature);
         self.note(collision);
         let (pair, end) = self.bodies.world.names(disc, feature);
         let [time, other_time] = &collision.times;
@@ -269,10 +259,4 @@ impl<'a, S: Scalar> Passing<'a, S> {
             Feature::Wall(_) | Feature::Corner(_) => false,
         }
     }
-}
-
-/// Whether two pairs have a disc in common.
-fn shares_disc(one: &(usize, Obstacle), other: &(usize, Obstacle)) -> bool {
-    let has = |pair: &(usize, Obstacle), disc| pair.0 == disc || pair.1 == Obstacle::Disc(disc);
-    has(other, one.0) || matches!(one.1, Obstacle::Disc(disc) if has(other, disc))
 }

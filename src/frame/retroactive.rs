@@ -25,9 +25,7 @@ pub fn retroactive<S: Scalar>(
     let step = frame.duration.clone() / S::from_integer(substeps as i32);
     let mut impacts = Vec::new();
     for pass in 1..=substeps {
-        for disc in &mut world.discs {
-            disc.advance(&step);
-        }
+        world.advance(&step);
         let clock = step.clone() * S::from_integer(pass as i32);
         let time = frame.start.clone() + clock;
         let number = Step {
@@ -51,8 +49,8 @@ fn collide_overlapping<S: Scalar>(
         let Some(touch) = bodies.separate(disc, obstacle)? else {
             continue;
         };
-        if !touch.approaches(bodies.world)? {
-            touch.part(bodies.world);
+        if !bodies.world.approaches_here(disc, touch.feature)? {
+            bodies.world.remember(disc, touch.feature);
             continue;
         }
         let contact = touch.collide(bodies.world)?;

@@ -6,6 +6,7 @@ use super::tally::{Logged, Tally, compare_frame};
 use super::truth::{Truth, true_frame};
 use crate::arithmetic::{Arithmetic, Budget};
 use crate::body::Disc;
+use crate::contacts::Contacts;
 use crate::scalar::{Doubt, Exact, Scalar, Undecided};
 use crate::scene::Scene;
 use crate::simulation::{Algorithm, FrameClock, Simulation};
@@ -101,12 +102,12 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
     }
 
     fn judge_frame(&mut self, simulation: &mut Simulation<S>) -> Result<(), Undecided> {
-        let discs = simulation.discs();
+        let (discs, contacts) = (simulation.discs(), simulation.contacts());
         let begun = Instant::now();
         let impacts = simulation.next_frame().map_err(Doubt::into_undecided)?;
         self.judged.cost += begun.elapsed();
         let impacts: Vec<_> = impacts.iter().map(Logged::from).collect();
-        match self.truth(&discs)? {
+        match self.truth(&discs, &contacts)? {
             Some(truth) => self.tally(&truth, &impacts, &simulation.discs()),
             None => self.judged.undecided += 1,
         }
@@ -118,10 +119,10 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
     /// What truly happens from a state of the candidate; none if the budget
     /// does not suffice. Where the state itself is only enclosed, more bits
     /// have to come from the candidate.
-    fn truth(&self, discs: &[Disc<S>]) -> Result<Option<Truth>, Undecided> {
+    fn truth(&self, discs: &[Disc<S>], contacts: &Contacts) -> Result<Option<Truth>, Undecided> {
         let mut bits = self.budget.first_bits;
         loop {
-            let failure = match self.attempt_truth(discs, bits) {
+            let failure = match self.attempt_truth(discs, contacts, bits) {
                 Ok(truth) => return Ok(Some(truth)),
                 Err(failure) => failure,
             };
@@ -135,8 +136,13 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         }
     }
 
-    fn attempt_truth(&self, discs: &[Disc<S>], bits: u32) -> Result<Truth, Undecided> {
-        let world = World::<Exact>::new(self.scene, bits);
+    fn attempt_truth(
+        &self,
+        discs: &[Disc<S>],
+        contacts: &Contacts,
+        bits: u32,
+    ) -> Result<Truth, Undecided> {
+        let mut world = World::<Exact>::new(self.scene, bits);
         let states = discs.iter().zip(&world.discs);
         let states = states.map(|(state, written)| Disc {
             position: state.position.map(|number| number.exactly(bits)),
@@ -144,9 +150,11 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
             last: state.last,
             ..written.clone()
         });
+        world.discs = states.collect();
+        world.contacts = contacts.clone();
         let start = self.clock.start_of(self.judged.frames, bits);
         let duration = self.clock.start_of(1, bits);
-        true_frame(states.collect(), &world, &start, &duration)
+        true_frame(world, &start, &duration)
     }
 
     fn tally(&mut self, truth: &Truth, impacts: &[Logged], end: &[Disc<S>]) {

@@ -1,7 +1,6 @@
 //! The exact timeline, as what others are held against.
 
 use super::tally::Logged;
-use crate::body::Disc;
 use crate::impact::{Impact, number_ties};
 use crate::scalar::{Exact, Scalar, Undecided};
 use crate::timeline::Timeline;
@@ -17,22 +16,16 @@ pub struct Truth {
     pub end: Vec<Vec2<f64>>,
 }
 
-/// What truly happens to discs, among the walls of a world, in the frame that
-/// starts at `start`.
+/// What truly happens in a world, in the frame that starts at `start`.
 ///
 /// # Errors
 ///
 /// The precision of the numbers leaves a decision open.
 pub fn true_frame(
-    discs: Vec<Disc<Exact>>,
-    world: &World<Exact>,
+    world: World<Exact>,
     start: &Exact,
     duration: &Exact,
 ) -> Result<Truth, Undecided> {
-    let world = World {
-        discs,
-        ..world.clone()
-    };
     let mut timeline = Timeline::new(world, duration)?;
     let mut impacts = Vec::new();
     while let Some(impact) = timeline.next_impact(duration)? {

@@ -8,11 +8,15 @@ use crate::world::{Obstacle, World};
 
 /// The bodies, the times at which they are where `world` says, and the turn
 /// at which each was changed last.
+///
+/// A `moment` names such a time: equal names are equal times, also where the
+/// arithmetic could not prove it.
 #[derive(Clone, Debug)]
 pub(super) struct Flights<S> {
     pub(super) world: World<S>,
     pub(super) since: Vec<S>,
     pub(super) turn: Vec<u64>,
+    moment: Vec<u64>,
 }
 
 /// What a disc meets next of one body, and when.
@@ -22,6 +26,8 @@ pub(super) struct Meeting<S> {
     pub(super) feature: Feature,
     pub(super) graze: bool,
     pub(super) overlap: bool,
+    /// The name of the time, if the meeting follows without any delay.
+    pub(super) moment: Option<u64>,
 }
 
 impl<S: Scalar> Flights<S> {
@@ -31,6 +37,7 @@ impl<S: Scalar> Flights<S> {
             world,
             since: vec![S::from_integer(0); count],
             turn: vec![0; count],
+            moment: vec![0; count],
         }
     }
 
@@ -39,6 +46,7 @@ impl<S: Scalar> Flights<S> {
             world: self.world.hull(),
             since: self.since.iter().map(S::hull).collect(),
             turn: self.turn.clone(),
+            moment: self.moment.clone(),
         }
     }
 
@@ -49,6 +57,11 @@ impl<S: Scalar> Flights<S> {
         disc: usize,
         obstacle: Obstacle,
     ) -> Result<Option<Meeting<S>>, S::Doubt> {
+        if let Some(feature) = self.world.contact(disc, obstacle) {
+            let other = self.position_of(feature, &self.since[disc]);
+            let approaches = self.world.approaches(disc, feature, &other)?;
+            return Ok(approaches.then(|| self.meeting(disc, Encounter::now(), feature)));
+        }
         match obstacle {
             Obstacle::Disc(other) => self.meet_disc(disc, other),
             Obstacle::Wall(wall) => self.meet_wall(disc, wall),
@@ -67,15 +80,28 @@ impl<S: Scalar> Flights<S> {
         let offset = second.position.minus(&self.position_at(early, start));
         let velocity = second.velocity.minus(&first.velocity);
         let met = self.world.meet_discs((early, late), &offset, &velocity)?;
-        Ok(met.map(|encounter| Meeting::new(start, encounter, Feature::Disc(other as u32))))
+        let feature = Feature::Disc(other as u32);
+        Ok(met.map(|encounter| self.meeting(late, encounter, feature)))
     }
 
     fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
         let met = self.world.meet_wall(disc, wall)?;
         Ok(met.map(|encounter| {
             let feature = self.world.feature(wall, encounter.end);
-            Meeting::new(&self.since[disc], encounter, feature)
+            self.meeting(disc, encounter, feature)
         }))
+    }
+
+    /// The meeting that an encounter leads to, seen from where a disc is.
+    #[inline]
+    fn meeting(&self, start: usize, encounter: Encounter<S>, feature: Feature) -> Meeting<S> {
+        Meeting {
+            time: self.since[start].clone() + encounter.delay,
+            feature,
+            graze: encounter.graze,
+            overlap: encounter.overlap,
+            moment: encounter.overlap.then_some(self.moment[start]),
+        }
     }
 
     /// Where a disc is at a time, if nothing changes its motion.
@@ -112,21 +138,13 @@ impl<S: Scalar> Flights<S> {
     }
 
     /// Takes a disc to the time of its impact, at some turn.
-    pub(super) fn bring(&mut self, disc: usize, time: &S, turn: u64) {
-        self.world.discs[disc].position = self.position_at(disc, time);
-        self.since[disc] = time.clone();
-        self.turn[disc] = turn;
-    }
-}
-
-impl<S: Scalar> Meeting<S> {
-    #[inline]
-    fn new(start: &S, encounter: Encounter<S>, feature: Feature) -> Self {
-        Self {
-            time: start.clone() + encounter.delay,
-            feature,
-            graze: encounter.graze,
-            overlap: encounter.overlap,
+    pub(super) fn bring(&mut self, disc: usize, time: &S, moment: u64, turn: u64) {
+        if self.moment[disc] != moment {
+            let flown = time.clone() - &self.since[disc];
+            self.world.advance_disc(disc, &flown);
+            self.since[disc] = time.clone();
+            self.moment[disc] = moment;
         }
+        self.turn[disc] = turn;
     }
 }

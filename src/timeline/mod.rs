@@ -93,6 +93,11 @@ impl<S: Scalar> Timeline<S> {
         self.grazes
     }
 
+    /// How many discs there are.
+    pub fn disc_count(&self) -> usize {
+        self.forecasts.len()
+    }
+
     /// The time of the latest impact.
     pub fn now(&self) -> &S {
         &self.now
@@ -270,13 +275,17 @@ impl<S: Scalar> Timeline<S> {
         let (disc, feature) = in_order(disc, meeting.feature);
         let time = meeting.time.not_before(&self.now);
         self.turn += 1;
+        // A rounded time may have been lifted: it is none that has a name.
+        let named = meeting.moment.filter(|_| !S::ROUNDS);
+        let moment = named.unwrap_or(self.turn);
         let other = self.flights.position_of(feature, &time);
         for changed in self.movable(disc, feature) {
-            self.flights.bring(changed, &time, self.turn);
+            self.flights.bring(changed, &time, moment, self.turn);
         }
         let world = &mut self.flights.world;
         let normal = world.normal(disc, feature, &other);
         let contact = world.collide(disc, feature, normal, meeting.overlap)?;
+        world.contacts.join(disc, feature);
         let (pair, end) = world.names(disc, feature);
         for changed in self.movable(disc, feature) {
             self.grazed[changed].clear();
