@@ -3,10 +3,13 @@
 
 pub mod arithmetic;
 pub mod body;
+pub mod contacts;
 pub mod detect;
 pub mod frame;
 pub mod impact;
 pub mod judge;
+#[cfg(feature = "json")]
+pub mod log;
 pub mod respond;
 pub mod run;
 pub mod scalar;
