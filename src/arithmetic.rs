@@ -49,6 +49,9 @@ pub trait Arithmetic: Scalar {
         progress: f64,
     ) -> Option<Self::Precision>;
 
+    /// The bits of enclosures, of an arithmetic that has them.
+    fn bits(precision: Self::Precision) -> Option<u32>;
+
     /// Whether only numbers within [`Number::BINARY64_RANGE`] are safe.
     const LIMITED: bool;
 
@@ -81,6 +84,10 @@ impl Arithmetic for f64 {
         None
     }
 
+    fn bits((): ()) -> Option<u32> {
+        None
+    }
+
     fn exactly(&self, bits: u32) -> Exact {
         let number = Number::try_from(*self);
         Exact::from_number(&number.unwrap_or(Number::from(0)), bits)
@@ -102,6 +109,10 @@ impl Arithmetic for Exact {
 
     fn next_precision(budget: &Budget, bits: u32, progress: f64) -> Option<u32> {
         budget.next_bits(bits, progress)
+    }
+
+    fn bits(bits: u32) -> Option<u32> {
+        Some(bits)
     }
 
     fn exactly(&self, _: u32) -> Exact {

@@ -28,7 +28,7 @@ pub struct Impact<S> {
     pub contact: Contact<S>,
 }
 
-/// The frame and the pass of a frame algorithm, both from one on.
+/// Where in its run a frame algorithm found an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Step {
     /// The frame, from zero on.

@@ -307,7 +307,8 @@ impl<S: Arithmetic> Outcome<S> {
             .find(|impact| !impact.time.has_digits(digits));
         if let Some(impact) = vague {
             let question = format!("{digits} digits of the time at which {} meet", impact.pair);
-            self.demand(Undecided { bits: 0, question });
+            let bits = S::bits(self.precision).unwrap_or_default();
+            self.demand(Undecided { bits, question });
         }
     }
 }

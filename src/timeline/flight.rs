@@ -1,5 +1,7 @@
 //! Bodies in flight, each kept at the time of its own last impact.
 
+use std::cmp::Ordering;
+
 use crate::body::{Disc, Feature};
 use crate::detect::Encounter;
 use crate::scalar::{Interval, Scalar};
@@ -79,9 +81,29 @@ impl<S: Scalar> Flights<S> {
         let [first, second] = [early, late].map(|index| &self.world.discs[index]);
         let offset = second.position.minus(&self.position_at(early, start));
         let velocity = second.velocity.minus(&first.velocity);
+        self.check_order(early, late, &offset)?;
         let met = self.world.meet_discs((early, late), &offset, &velocity)?;
         let feature = Feature::Disc(other as u32);
         Ok(met.map(|encounter| self.meeting(late, encounter, feature)))
+    }
+
+    /// The later turn is the later time, unless the two changed in impacts so
+    /// close that none had to be proven the first. Then the discs must be
+    /// apart, by more than they move in between.
+    #[inline]
+    fn check_order(&self, early: usize, late: usize, offset: &Vec2<S>) -> Result<(), S::Doubt> {
+        if S::ROUNDS || self.moment[early] == self.moment[late] {
+            return Ok(());
+        }
+        let Err(doubt) = self.since[early].compare(&self.since[late]) else {
+            return Ok(());
+        };
+        let [first, second] = [early, late].map(|index| &self.world.discs[index]);
+        let reach = first.radius.clone() + &second.radius;
+        match S::power(&offset.x, &offset.y, &reach).sign()? {
+            Ordering::Greater => Ok(()),
+            _ => Err(doubt),
+        }
     }
 
     fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Meeting<S>>, S::Doubt> {

@@ -13,7 +13,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use super::flight::{Flights, Meeting};
 use crate::body::Feature;
 use crate::scalar::{Doubt, Interval, Scalar};
-use crate::world::Obstacle;
+use crate::world::{Obstacle, World};
 
 /// The first meeting of a disc.
 #[derive(Clone, Debug)]
@@ -40,6 +40,30 @@ impl<S: Scalar> Forecast<S> {
     /// Whether the partner has changed since.
     pub(super) fn is_stale(&self, flights: &Flights<S>) -> bool {
         flights.turn_of(self.meeting.feature) != self.partner_turn
+    }
+}
+
+/// Whom a disc's forecast considers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Partners {
+    /// Everything.
+    All,
+    /// At the start, when all discs are forecast in turn, only what is left of
+    /// the pairs: later discs, and what makes no forecasts of its own.
+    Later,
+}
+
+impl Partners {
+    #[inline]
+    fn of<S: Scalar>(self, world: &World<S>, disc: usize) -> impl Iterator<Item = Obstacle> {
+        world
+            .obstacles(disc)
+            .filter(move |&obstacle| match obstacle {
+                Obstacle::Disc(other) if self == Self::Later => {
+                    other > disc || !world.discs[other].is_movable()
+                }
+                _ => true,
+            })
     }
 }
 
@@ -72,21 +96,23 @@ impl Forecaster {
         }
     }
 
-    /// The first meeting of a disc, but for those it `skips`.
+    /// The first meeting of a disc, but for those it `skips`, told by what is
+    /// met and whether that overlaps already.
     pub(super) fn forecast<S: Scalar>(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
-        skips: impl Fn(Feature) -> bool,
+        partners: Partners,
+        skips: impl Fn(Feature, bool) -> bool,
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
         let mut first = First::new(flights);
         if self.bounds.is_none() {
-            for obstacle in flights.world.obstacles(disc) {
+            for obstacle in partners.of(&flights.world, disc) {
                 first.offer(disc, obstacle, self.horizon, &skips)?;
             }
             return Ok(first.finish(disc));
         }
-        let latest = self.filter(flights, disc, &skips);
+        let latest = self.filter(flights, disc, partners, &skips);
         for &(obstacle, earliest) in &self.survivors {
             if earliest <= latest {
                 first.offer(disc, obstacle, self.horizon, &skips)?;
@@ -101,17 +127,18 @@ impl Forecaster {
         &mut self,
         flights: &Flights<S>,
         disc: usize,
-        skips: impl Fn(Feature) -> bool,
+        partners: Partners,
+        skips: impl Fn(Feature, bool) -> bool,
     ) -> f64 {
         self.survivors.clear();
         let mut latest = self.horizon;
         let Some(bounds) = &self.bounds else {
             return latest;
         };
-        for obstacle in flights.world.obstacles(disc) {
+        for obstacle in partners.of(&flights.world, disc) {
             match bounds.meet(disc, obstacle) {
                 Ok(None) => {}
-                Ok(Some(meeting)) if skips(meeting.feature) => {}
+                Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => {}
                 Ok(Some(meeting)) => {
                     latest = latest.min(meeting.time.hi());
                     self.survivors.push((obstacle, meeting.time.lo()));
@@ -146,11 +173,11 @@ impl<'a, S: Scalar> First<'a, S> {
         disc: usize,
         obstacle: Obstacle,
         horizon: f64,
-        skips: impl Fn(Feature) -> bool,
+        skips: impl Fn(Feature, bool) -> bool,
     ) -> Result<(), S::Doubt> {
         let met = self.flights.meet(disc, obstacle);
         let met = met.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "meet")))?;
-        let Some(meeting) = met.filter(|meeting| !skips(meeting.feature)) else {
+        let Some(meeting) = met.filter(|meeting| !skips(meeting.feature, meeting.overlap)) else {
             return Ok(());
         };
         if meeting.time.hull().lo() <= horizon {

@@ -13,6 +13,7 @@
 
 mod flight;
 mod forecast;
+mod nested;
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
@@ -21,7 +22,8 @@ use crate::impact::Impact;
 use crate::scalar::{Doubt, Scalar};
 use crate::world::World;
 use flight::Flights;
-use forecast::{Forecast, Forecaster};
+use forecast::{Forecast, Forecaster, Partners};
+use nested::Nested;
 
 /// The exact, event-driven run of a scene.
 #[derive(Clone, Debug)]
@@ -32,6 +34,7 @@ pub struct Timeline<S: Scalar> {
     /// What each disc has grazed since it last changed, and the partner's
     /// turn then.
     grazed: Vec<Vec<(Feature, u64)>>,
+    nested: Nested,
     now: S,
     turn: u64,
     grazes: u64,
@@ -52,19 +55,21 @@ impl<S: Scalar> Timeline<S> {
     /// It cannot be decided what the discs meet first.
     pub fn new(world: World<S>, until: &S) -> Result<Self, S::Doubt> {
         let count = world.discs.len();
+        let nested = Nested::find(&world);
         let flights = Flights::new(world);
         let mut timeline = Self {
             forecaster: Forecaster::new(&flights, until),
             flights,
             forecasts: vec![None; count],
             grazed: vec![Vec::new(); count],
+            nested,
             now: S::from_integer(0),
             turn: 0,
             grazes: 0,
             negligible: until.hull().hi() * 2f64.powi(-1000),
         };
         for disc in 0..count {
-            timeline.forecast(disc)?;
+            timeline.forecast_with(disc, Partners::Later)?;
         }
         Ok(timeline)
     }
@@ -286,6 +291,7 @@ impl<S: Scalar> Timeline<S> {
         let normal = world.normal(disc, feature, &other);
         let contact = world.collide(disc, feature, normal, meeting.overlap)?;
         world.contacts.join(disc, feature);
+        self.nested.part(world, disc, feature);
         let (pair, end) = world.names(disc, feature);
         for changed in self.movable(disc, feature) {
             self.grazed[changed].clear();
@@ -319,11 +325,18 @@ impl<S: Scalar> Timeline<S> {
     }
 
     fn forecast(&mut self, disc: usize) -> Result<(), S::Doubt> {
-        let (flights, grazed) = (&self.flights, &self.grazed[disc]);
-        let skips =
-            |feature| !grazed.is_empty() && grazed.contains(&(feature, flights.turn_of(feature)));
+        self.forecast_with(disc, Partners::All)
+    }
+
+    fn forecast_with(&mut self, disc: usize, partners: Partners) -> Result<(), S::Doubt> {
+        let (flights, grazed, nested) = (&self.flights, &self.grazed[disc], &self.nested);
+        let skips = |feature, overlap| {
+            let grazed =
+                !grazed.is_empty() && grazed.contains(&(feature, flights.turn_of(feature)));
+            grazed || overlap && nested.holds(&flights.world, disc, feature)
+        };
         self.forecasts[disc] = if flights.world.discs[disc].is_movable() {
-            self.forecaster.forecast(flights, disc, skips)?
+            self.forecaster.forecast(flights, disc, partners, skips)?
         } else {
             None
         };

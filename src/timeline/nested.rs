@@ -1,0 +1,95 @@
+//! Bodies that overlap without a direction: concentric discs, and discs whose
+//! centre is on a wall. They do not collide until they have parted.
+
+use std::cmp::Ordering;
+
+use crate::body::Feature;
+use crate::scalar::Scalar;
+use crate::world::{Obstacle, World};
+
+/// The pairs that have not parted from such a start.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Nested {
+    pairs: Vec<(usize, Obstacle)>,
+}
+
+impl Nested {
+    /// The pairs that start so, each with the lower disc first.
+    pub(super) fn find<S: Scalar>(world: &World<S>) -> Self {
+        let mut pairs = concentric(world);
+        for disc in 0..world.discs.len() {
+            let walls = (0..world.walls.len()).filter(|&wall| is_on_wall(world, disc, wall));
+            pairs.extend(walls.map(|wall| (disc, Obstacle::Wall(wall))));
+        }
+        Self { pairs }
+    }
+
+    /// Whether a disc has not parted from a feature.
+    #[inline]
+    pub(super) fn holds<S>(&self, world: &World<S>, disc: usize, feature: Feature) -> bool {
+        let mut pairs = self.pairs.iter();
+        pairs.any(|&pair| is_of(world, pair, disc, feature))
+    }
+
+    /// Forgets a pair that has collided, and thus parted before.
+    pub(super) fn part<S>(&mut self, world: &World<S>, disc: usize, feature: Feature) {
+        self.pairs
+            .retain(|&pair| !is_of(world, pair, disc, feature));
+    }
+}
+
+fn is_of<S>(
+    world: &World<S>,
+    (first, obstacle): (usize, Obstacle),
+    disc: usize,
+    feature: Feature,
+) -> bool {
+    match (obstacle, feature) {
+        (Obstacle::Disc(second), Feature::Disc(other)) => {
+            let other = other as usize;
+            (first, second) == (disc.min(other), disc.max(other))
+        }
+        (Obstacle::Wall(own), Feature::Wall(wall)) => first == disc && own == wall as usize,
+        (Obstacle::Wall(own), Feature::Corner(corner)) => {
+            first == disc && world.walls[own].corners.contains(&corner)
+        }
+        _ => false,
+    }
+}
+
+/// Equal positions have equal binary64 neighbours: only those are compared.
+fn concentric<S: Scalar>(world: &World<S>) -> Vec<(usize, Obstacle)> {
+    let near = |disc: &usize| world.discs[*disc].position.map(S::to_f64);
+    let mut discs: Vec<usize> = (0..world.discs.len()).collect();
+    discs.sort_by(|one, other| {
+        let (one, other) = (near(one), near(other));
+        one.x.total_cmp(&other.x).then(one.y.total_cmp(&other.y))
+    });
+    let groups = discs.chunk_by(|one, other| near(one) == near(other));
+    let mut pairs = Vec::new();
+    for group in groups {
+        for (place, &one) in group.iter().enumerate() {
+            let equal = group[place + 1..]
+                .iter()
+                .filter(|&&other| is_concentric(world, one, other));
+            pairs.extend(equal.map(|&other| (one.min(other), Obstacle::Disc(one.max(other)))));
+        }
+    }
+    pairs
+}
+
+fn is_concentric<S: Scalar>(world: &World<S>, one: usize, other: usize) -> bool {
+    let [one, other] = [one, other].map(|disc| &world.discs[disc].position);
+    let equal = |a: &S, b: &S| a.compare(b).is_ok_and(Ordering::is_eq);
+    equal(&one.x, &other.x) && equal(&one.y, &other.y)
+}
+
+fn is_on_wall<S: Scalar>(world: &World<S>, disc: usize, wall: usize) -> bool {
+    let segment = &world.walls[wall].segment;
+    let offset = world.discs[disc].position.minus(&segment.from);
+    offset
+        .cross(&segment.along)
+        .sign()
+        .is_ok_and(Ordering::is_eq)
+        && matches!(world.overlap(disc, Obstacle::Wall(wall)), Ok(Some((_, overlap))) if overlap.separation.is_none())
+}

@@ -1,0 +1,142 @@
+//! A scene's bodies made into numbers of one type.
+
+use std::collections::HashMap;
+
+use num_rational::BigRational;
+
+use super::{Corner, World};
+use crate::body::{Disc, End, Mass, Wall};
+use crate::contacts::Contacts;
+use crate::detect::Segment;
+use crate::respond::Restitution;
+use crate::scalar::{Interval, Number, Scalar};
+use crate::scene::{self, Scene};
+use crate::vec2::Vec2;
+
+impl<S: Scalar> World<S> {
+    /// The bodies of a scene, each number rounded at most once.
+    pub fn new(scene: &Scene, precision: S::Precision) -> Self {
+        let number = |written: &Number| S::from_number(written, precision);
+        let mut corners = Corners::default();
+        let walls = (0..).zip(scene.walls());
+        Self {
+            discs: scene
+                .discs()
+                .iter()
+                .map(|disc| make_disc(disc, number))
+                .collect(),
+            walls: walls
+                .map(|(index, wall)| make_wall(wall, corners.of(index, wall), number))
+                .collect(),
+            corners: corners.list,
+            restitution: make_restitution(&scene.effects().restitution, number),
+            contacts: Contacts::none(scene.discs().len()),
+        }
+    }
+
+    /// Binary64 bounds of everything. What touches by construction is left
+    /// out: bounds leave that open.
+    pub fn hull(&self) -> World<Interval> {
+        World {
+            discs: self.discs.iter().map(|disc| disc.map(S::hull)).collect(),
+            walls: self.walls.iter().map(hull_of_wall).collect(),
+            corners: self.corners.clone(),
+            restitution: self.restitution.map(S::hull),
+            contacts: Contacts::none(self.discs.len()),
+        }
+    }
+}
+
+/// The corners met so far, told apart by their exact coordinates.
+#[derive(Default)]
+struct Corners {
+    list: Vec<Corner>,
+    known: HashMap<[BigRational; 2], u32>,
+}
+
+impl Corners {
+    /// The corners at a wall's two ends.
+    fn of(&mut self, index: u32, wall: &scene::Wall) -> [u32; 2] {
+        [
+            self.at(index, End::From, &wall.from),
+            self.at(index, End::To, &wall.to),
+        ]
+    }
+
+    fn at(&mut self, wall: u32, end: End, point: &[Number; 2]) -> u32 {
+        let next = self.list.len() as u32;
+        let corner = *self
+            .known
+            .entry([point[0].to_rational(), point[1].to_rational()])
+            .or_insert(next);
+        if corner == next {
+            self.list.push(Corner { wall, end });
+        }
+        corner
+    }
+}
+
+fn vector<S>(written: &[Number; 2], number: impl Fn(&Number) -> S) -> Vec2<S> {
+    Vec2::new(number(&written[0]), number(&written[1]))
+}
+
+fn make_disc<S>(disc: &scene::Disc, number: impl Fn(&Number) -> S) -> Disc<S> {
+    Disc {
+        position: vector(&disc.position, &number),
+        velocity: vector(&disc.velocity, &number),
+        radius: number(&disc.radius),
+        mass: match &disc.mass {
+            scene::Mass::Finite(mass) => Mass::Finite(number(mass)),
+            scene::Mass::Infinite => Mass::Infinite,
+        },
+        last: None,
+    }
+}
+
+fn make_wall<S: Scalar>(
+    wall: &scene::Wall,
+    corners: [u32; 2],
+    number: impl Fn(&Number) -> S,
+) -> Wall<S> {
+    let (from, to) = (vector(&wall.from, &number), vector(&wall.to, &number));
+    let along = to.minus(&from);
+    Wall {
+        segment: Segment::new(from, to, along),
+        corners,
+    }
+}
+
+fn hull_of_wall<S: Scalar>(wall: &Wall<S>) -> Wall<Interval> {
+    let segment = &wall.segment;
+    Wall {
+        segment: Segment {
+            from: segment.from.map(S::hull),
+            to: segment.to.map(S::hull),
+            along: segment.along.map(S::hull),
+            length: segment.length.hull(),
+            length_squared: segment.length_squared.hull(),
+        },
+        corners: wall.corners,
+    }
+}
+
+fn make_restitution<S: Scalar>(
+    written: &scene::Restitution,
+    number: impl Fn(&Number) -> S,
+) -> Restitution<S> {
+    match written {
+        scene::Restitution::Elastic => Restitution::Elastic,
+        scene::Restitution::Newton {
+            coefficient,
+            walls,
+            elastic_below,
+        } => Restitution::Newton {
+            discs: number(coefficient),
+            walls: number(walls.as_ref().unwrap_or(coefficient)),
+            elastic_below: elastic_below.as_ref().map(number),
+        },
+        scene::Restitution::Paper { loss } => Restitution::Paper {
+            kept: S::from_integer(1) - number(loss),
+        },
+    }
+}

@@ -1,0 +1,191 @@
+//! A scene's bodies in one arithmetic, and how two of them meet.
+
+mod build;
+mod touch;
+
+use crate::body::{BodyId, Disc, End, Feature, Pair, Wall};
+use crate::contacts::Contacts;
+use crate::detect::{Encounter, meet_circle, meet_segment};
+use crate::respond::Restitution;
+use crate::scalar::Scalar;
+use crate::vec2::Vec2;
+
+/// A point where walls end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Corner {
+    /// The lowest of the walls that end here.
+    pub wall: u32,
+    /// The end of that wall.
+    pub end: End,
+}
+
+/// A body that a disc may meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// Another disc.
+    Disc(usize),
+    /// A wall, with its end points.
+    Wall(usize),
+}
+
+impl Obstacle {
+    /// The question whether a disc and this do something.
+    pub(crate) fn ask(self, disc: usize, verb: &str) -> String {
+        match self {
+            Self::Disc(other) => format!("whether d{disc} and d{other} {verb}"),
+            Self::Wall(wall) => format!("whether d{disc} and w{wall} {verb}"),
+        }
+    }
+}
+
+/// The bodies of a scene, as numbers of one type.
+#[derive(Clone, Debug)]
+pub struct World<S> {
+    /// The discs, at the start of the scene or wherever a run has taken them.
+    pub discs: Vec<Disc<S>>,
+    /// The walls.
+    pub walls: Vec<Wall<S>>,
+    /// The points where walls end: end points that coincide are one.
+    pub corners: Vec<Corner>,
+    /// What impacts lose.
+    pub restitution: Restitution<S>,
+    /// What touches by construction, where the discs are now.
+    pub contacts: Contacts,
+}
+
+impl<S: Scalar> World<S> {
+    /// Whether a disc cannot meet an obstacle in free motion: it is the disc
+    /// itself, or the two have parted and not collided since, or none of them
+    /// can be deflected.
+    #[inline]
+    pub fn is_barred(&self, disc: usize, obstacle: Obstacle) -> bool {
+        match obstacle {
+            Obstacle::Disc(other) => disc == other || self.discs_are_barred(disc, other),
+            Obstacle::Wall(wall) => self.wall_is_barred(disc, wall),
+        }
+    }
+
+    fn discs_are_barred(&self, i: usize, j: usize) -> bool {
+        let (first, second) = (&self.discs[i], &self.discs[j]);
+        let parted = |disc: &Disc<S>, other: usize| {
+            !disc.is_movable() || disc.last == Some(Feature::Disc(other as u32))
+        };
+        parted(first, j) && parted(second, i)
+    }
+
+    fn wall_is_barred(&self, disc: usize, wall: usize) -> bool {
+        let disc = &self.discs[disc];
+        !disc.is_movable()
+            || match disc.last {
+                Some(Feature::Wall(last)) => last as usize == wall,
+                Some(Feature::Corner(last)) => self.walls[wall].corners.contains(&last),
+                _ => false,
+            }
+    }
+
+    /// Every disc with each disc after it and each wall.
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = (usize, Obstacle)> + use<S> {
+        let (discs, walls) = (self.discs.len(), self.walls.len());
+        (0..discs).flat_map(move |disc| {
+            let others = (disc + 1..discs).map(Obstacle::Disc);
+            let walls = (0..walls).map(Obstacle::Wall);
+            others.chain(walls).map(move |obstacle| (disc, obstacle))
+        })
+    }
+
+    /// What a disc may meet in free motion.
+    pub(crate) fn obstacles(&self, disc: usize) -> impl Iterator<Item = Obstacle> + use<'_, S> {
+        let discs = (0..self.discs.len()).map(Obstacle::Disc);
+        let walls = (0..self.walls.len()).map(Obstacle::Wall);
+        discs
+            .chain(walls)
+            .filter(move |&obstacle| !self.is_barred(disc, obstacle))
+    }
+
+    /// Moves a disc freely for a time.
+    pub(crate) fn advance_disc(&mut self, disc: usize, time: &S) {
+        if time.sign().is_ok_and(std::cmp::Ordering::is_eq) {
+            return;
+        }
+        self.discs[disc].advance(time);
+        if !self.contacts.of(disc).is_empty() {
+            let velocity = self.discs[disc].velocity.clone();
+            self.leave_contacts(disc, &velocity);
+        }
+    }
+
+    /// Moves all discs freely for a time.
+    pub(crate) fn advance(&mut self, time: &S) {
+        for disc in 0..self.discs.len() {
+            self.advance_disc(disc, time);
+        }
+    }
+
+    /// When the discs i and j meet, from relative position and velocity.
+    ///
+    /// # Errors
+    ///
+    /// An enclosure does not decide it.
+    #[inline]
+    pub fn meet_discs(
+        &self,
+        (i, j): (usize, usize),
+        offset: &Vec2<S>,
+        velocity: &Vec2<S>,
+    ) -> Result<Option<Encounter<S>>, S::Doubt> {
+        let reach = self.discs[i].radius.clone() + &self.discs[j].radius;
+        meet_circle(offset, velocity, &reach)
+    }
+
+    /// When a disc meets a wall, from where the disc is.
+    ///
+    /// # Errors
+    ///
+    /// An enclosure does not decide it.
+    pub fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Encounter<S>>, S::Doubt> {
+        let Disc {
+            position,
+            velocity,
+            radius,
+            last,
+            ..
+        } = &self.discs[disc];
+        let wall = &self.walls[wall];
+        let barred = |end| self.is_end_of(*last, wall.corner(end));
+        meet_segment(position, velocity, radius, &wall.segment, barred)
+    }
+
+    /// Whether a corner belongs to what a disc has parted from.
+    fn is_end_of(&self, last: Option<Feature>, corner: u32) -> bool {
+        matches!(last, Some(Feature::Wall(wall))
+            if self.walls[wall as usize].corners.contains(&corner))
+    }
+
+    /// What of a wall an encounter touches.
+    pub fn feature(&self, wall: usize, end: Option<End>) -> Feature {
+        match end {
+            Some(end) => Feature::Corner(self.walls[wall].corner(end)),
+            None => Feature::Wall(wall as u32),
+        }
+    }
+
+    /// The names under which the impact of a disc on a feature is logged:
+    /// that on a corner with the lowest wall that ends there.
+    pub fn names(&self, disc: usize, feature: Feature) -> (Pair, Option<End>) {
+        let (body, end) = match feature {
+            Feature::Disc(other) => (BodyId::Disc(other), None),
+            Feature::Wall(wall) => (BodyId::Wall(wall), None),
+            Feature::Corner(corner) => {
+                let Corner { wall, end } = self.corners[corner as usize];
+                (BodyId::Wall(wall), Some(end))
+            }
+        };
+        (Pair::new(BodyId::Disc(disc as u32), body), end)
+    }
+
+    /// The point that a corner is.
+    pub fn corner_position(&self, corner: u32) -> &Vec2<S> {
+        let Corner { wall, end } = self.corners[corner as usize];
+        self.walls[wall as usize].segment.end(end)
+    }
+}
