@@ -6,6 +6,8 @@ use crate::detect::Segment;
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 
+pub use crate::detect::End;
+
 /// A disc or a wall, by its place in the scene. Discs come before walls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum BodyId {
@@ -55,24 +57,6 @@ impl Pair {
 impl fmt::Display for Pair {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} and {}", self.a, self.b)
-    }
-}
-
-/// One of a wall's two end points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum End {
-    /// The point `from`.
-    From,
-    /// The point `to`.
-    To,
-}
-
-impl fmt::Display for End {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::From => "from",
-            Self::To => "to",
-        })
     }
 }
 

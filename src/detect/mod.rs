@@ -12,12 +12,11 @@ mod circle;
 mod overlap;
 mod segment;
 
-use crate::body::End;
 use crate::scalar::Scalar;
 
 pub use circle::meet_circle;
 pub use overlap::{Overlap, Separation, overlap_circle, overlap_segment};
-pub use segment::{Segment, meet_segment};
+pub use segment::{End, Segment, meet_segment};
 
 /// The first time that two bodies touch while they move freely.
 #[derive(Clone, Debug)]

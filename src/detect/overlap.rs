@@ -2,8 +2,7 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
-use super::segment::{Nearest, Segment};
-use crate::body::End;
+use super::segment::{End, Nearest, Segment};
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 

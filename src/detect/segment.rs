@@ -13,11 +13,29 @@
 //! free motion never meets it again: its end points included.
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
+use std::fmt;
 
 use super::{Encounter, meet_circle};
-use crate::body::End;
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
+
+/// One of a wall's two end points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum End {
+    /// The point `from`.
+    From,
+    /// The point `to`.
+    To,
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::From => "from",
+            Self::To => "to",
+        })
+    }
+}
 
 /// A wall's geometry, with what every test of it needs.
 #[derive(Clone, Debug)]

@@ -1,0 +1,144 @@
+//! A whole run of a scene: its impacts, its end, and whether it got there.
+//!
+//! Exact arithmetic leaves a decision open where its enclosures are too wide.
+//! The run then starts again with more bits, as many as the attempt's progress
+//! lets expect, until all is decided or the budget is spent.
+
+mod attempt;
+
+use std::ops::ControlFlow;
+
+use crate::arithmetic::{Arithmetic, Budget};
+use crate::body::Disc;
+use crate::impact::Impact;
+use crate::scalar::{Number, Scalar, Undecided};
+use crate::scene::Scene;
+use crate::simulation::Algorithm;
+use crate::support::{Unsupported, check_support};
+use attempt::Attempt;
+
+/// What a run may cost, and where it ends.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The end, unless it is that of the scene's last frame.
+    pub until: Option<Number>,
+    /// The number of impacts after which the run is ended.
+    pub max_events: u64,
+    /// The precision of exact arithmetic.
+    pub budget: Budget,
+    /// The decimal digits of the times that exact arithmetic must prove.
+    pub digits: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            until: None,
+            max_events: 10_000_000,
+            budget: Budget::default(),
+            digits: 20,
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// It got to its end.
+    Complete,
+    /// A decision was still open when the budget was spent.
+    Undecided(Undecided),
+    /// There were as many impacts as allowed.
+    EventLimit,
+    /// It was stopped from outside.
+    Interrupted,
+}
+
+/// How far a run has got.
+#[derive(Clone, Copy, Debug)]
+pub struct Progress {
+    /// The simulated time.
+    pub time: f64,
+    /// The simulated time at the end.
+    pub until: f64,
+    /// The impacts so far.
+    pub impacts: u64,
+}
+
+/// What a run gives.
+#[derive(Clone, Debug)]
+pub struct Outcome<S: Scalar> {
+    /// How it ended.
+    pub status: Status,
+    /// Its impacts, in order.
+    pub impacts: Vec<Impact<S>>,
+    /// How many tangent passes there were.
+    pub grazes: u64,
+    /// How many pairs overlapped at the start.
+    pub overlaps: u64,
+    /// The discs at the start.
+    pub start: Vec<Disc<S>>,
+    /// The discs at the end.
+    pub end: Vec<Disc<S>>,
+    /// The time of the end.
+    pub time: S,
+    /// What the arithmetic computed with.
+    pub precision: S::Precision,
+}
+
+/// Runs a scene. `watch` is told of the progress now and then, and may stop
+/// the run.
+///
+/// # Errors
+///
+/// The scene asks for something that cannot be simulated.
+pub fn run<S: Arithmetic>(
+    scene: &Scene,
+    algorithm: Algorithm,
+    options: &Options,
+    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Outcome<S>, Unsupported> {
+    check_support::<S>(scene)?;
+    let mut precision = S::first_precision(&options.budget);
+    loop {
+        let mut attempt = Attempt::<S>::new(scene, options, precision, &mut *watch);
+        let outcome = attempt.run(scene, algorithm);
+        let Status::Undecided(_) = outcome.status else {
+            return Ok(outcome);
+        };
+        let progress = attempt.progress(&outcome.time).fraction();
+        match S::next_precision(&options.budget, precision, progress) {
+            Some(next) => precision = next,
+            None => return Ok(outcome),
+        }
+    }
+}
+
+impl Progress {
+    /// The part of the run that is done.
+    pub fn fraction(&self) -> f64 {
+        (self.time / self.until).clamp(0.0, 1.0)
+    }
+}
+
+impl<S: Arithmetic> Outcome<S> {
+    /// A run that otherwise went well lacks a decision.
+    fn demand(&mut self, open: Undecided) {
+        if !matches!(self.status, Status::Undecided(_)) {
+            self.status = Status::Undecided(open);
+        }
+    }
+
+    /// Each time in the log must be known to so many digits.
+    fn check_digits(&mut self, digits: u32) {
+        let vague = self
+            .impacts
+            .iter()
+            .find(|impact| !impact.time.has_digits(digits));
+        if let Some(impact) = vague {
+            let question = format!("{digits} digits of the time at which {} meet", impact.pair);
+            let bits = S::bits(self.precision).unwrap_or_default();
+            self.demand(Undecided { bits, question });
+        }
+    }
+}
