@@ -76,11 +76,11 @@ pub enum Feature {
 pub enum Mass<S> {
     /// A finite mass.
     Finite(S),
-    /// Collisions never deflect the body; it may move.
+    /// Collisions never deflect the body; it may move (P5.3, D12).
     Infinite,
 }
 
-/// A disc in motion.
+/// A disc in motion (P1.1).
 #[derive(Clone, Debug)]
 pub struct Disc<S> {
     /// Where the centre is.
@@ -117,7 +117,7 @@ impl<S> Disc<S> {
 }
 
 impl<S: Scalar> Disc<S> {
-    /// Moves freely for a time.
+    /// Moves freely for a time (P1.3).
     pub fn advance(&mut self, time: &S) {
         self.position = self.position.moved(&self.velocity, time);
     }

@@ -3,7 +3,7 @@
 //! Bodies that were moved to their contact touch exactly, but an enclosure of
 //! their distance cannot show it, and a rounded one shows something else. So
 //! it is remembered, for as long as neither has moved away. Whether they collide is
-//! then a matter of their velocities alone.
+//! then a matter of their velocities alone (D18).
 
 use crate::body::Feature;
 

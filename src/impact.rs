@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 use crate::world::World;
 
-/// An impact, as it is logged.
+/// An impact, as it is logged (P3.4).
 #[derive(Clone, Debug)]
 pub struct Impact<S> {
     /// When it happens: for a frame algorithm on the clock of the pair's

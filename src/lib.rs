@@ -1,5 +1,16 @@
 //! What truly happens when discs and walls collide: every impact, in its
 //! proven order.
+//!
+//! A [`Scene`](scene::Scene) is run by one [`Algorithm`](simulation::Algorithm)
+//! in one [`Arithmetic`](arithmetic::Arithmetic): [`run::run`] gives the
+//! impacts and the end. The algorithms are those of a paper, which step
+//! through frames and get some impacts wrong, and the [`timeline`], which takes
+//! every impact in order. All of them are the same generic code for binary64
+//! and for [`Exact`](scalar::Exact) numbers; [`judge`] tells how far a run is
+//! from the truth, which is the exact timeline.
+//!
+//! Where to start reading: [`detect`] and [`respond`] for the physics,
+//! [`frame`] for the paper's algorithms, [`paper`] for its claims one by one.
 
 pub mod arithmetic;
 pub mod body;
@@ -10,6 +21,7 @@ pub mod impact;
 pub mod judge;
 #[cfg(feature = "json")]
 pub mod log;
+pub mod paper;
 pub mod respond;
 pub mod run;
 pub mod scalar;
@@ -19,3 +31,7 @@ pub mod support;
 pub mod timeline;
 pub mod vec2;
 pub mod world;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

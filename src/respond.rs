@@ -1,12 +1,13 @@
-//! What an impact does to velocities: an impulse along the line of centres.
+//! What an impact does to velocities: an impulse along the line of centres
+//! (P5.1).
 //!
 //! The normal n stays unnormalised, so no square root is taken: with the
 //! relative velocity w of the first body against the second, the approach
 //! w·n and the restitution e, the velocities change by
 //! ∓ (1 + e) (w·n / n·n) m'/(m + m') n, where m' is the other body's mass.
 //! Against a body of infinite mass the share m'/(m + m') is 1. This is the
-//! paper's formula, with the unit normal that its derivation needs (van den
-//! Heuvel and Jackson: Pool Hall Lessons, 2002).
+//! paper's formula, with the unit normal that its derivation needs (D11; van
+//! den Heuvel and Jackson: Pool Hall Lessons, 2002).
 //!
 //! At a contact n·n is R² by construction. Exact arithmetic uses that; where
 //! results round, the computed n·n conserves energy better.
@@ -32,7 +33,7 @@ pub enum Restitution<S> {
         elastic_below: Option<S>,
     },
     /// The paper's: after an elastic impact both whole velocities are
-    /// multiplied by `1 - C_R`. Momentum is not conserved.
+    /// multiplied by `1 - C_R` (P5.2, D13). Momentum is not conserved.
     Paper {
         /// The factor `1 - C_R`.
         kept: S,
@@ -147,7 +148,7 @@ pub fn collide_discs<S: Scalar>(
     Ok(())
 }
 
-/// Resolves the impact of a disc on a wall.
+/// Resolves the impact of a disc on a wall (P5.3).
 ///
 /// # Errors
 ///

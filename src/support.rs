@@ -1,4 +1,4 @@
-//! What of a scene cannot be simulated, told before anything runs.
+//! What of a scene cannot be simulated, told before anything runs (D19).
 
 use crate::arithmetic::Arithmetic;
 use crate::scalar::Number;

@@ -1,11 +1,12 @@
 //! When two bodies meet, moving freely from where they are now.
 //!
-//! The paper's three cases are one here: of two bodies that both move, one is
-//! taken as the frame of reference, so that only *relative* position and
-//! velocity count; and bodies that overlap already meet now, if they
+//! The paper's three cases are one here (P2.4, P3.2): of two bodies that both
+//! move, one is taken as the frame of reference, so that only *relative*
+//! position and velocity count; and bodies that overlap already meet now, if they
 //! approach, or not at all.
 //!
-//! No tolerance is involved. What is exact and what rounds is up to the
+//! They meet if they touch and approach, not if one of the two (D16). No
+//! tolerance is involved. What is exact and what rounds is up to the
 //! [`Scalar`].
 
 mod circle;

@@ -1,4 +1,4 @@
-//! Bodies that overlap where they are, whether they move or not.
+//! Bodies that overlap where they are, whether they move or not (P2.2).
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 

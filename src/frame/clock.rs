@@ -10,7 +10,7 @@ use crate::world::{Obstacle, World};
 /// How the clocks of a pair are read when it is tested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Clocks {
-    /// Each object starts where it is, whatever its clock shows.
+    /// Each object starts where it is, whatever its clock shows (D5).
     Local,
     /// The object whose clock is behind is first moved on to the other's.
     Synchronised,
@@ -21,11 +21,12 @@ pub(super) enum Clocks {
 pub(super) struct Collision<S> {
     pub(super) disc: usize,
     pub(super) feature: Feature,
-    /// How long each of the two moves until then.
+    /// How long each of the two moves until then: the paper's `collidetime`
+    /// (P4.2, D3).
     pub(super) spans: [S; 2],
     /// What each clock shows then.
     pub(super) times: [S; 2],
-    /// What collisions are ordered by.
+    /// What collisions are ordered by: a time, not a distance (D6).
     pub(super) order: S,
     pub(super) overlap: bool,
 }
@@ -33,7 +34,7 @@ pub(super) struct Collision<S> {
 /// Where each object is within the frame.
 #[derive(Clone, Debug)]
 pub(super) struct Clocked<S> {
-    /// The paper's `timepassed`, times the duration.
+    /// The paper's `timepassed` (P4.1), zero at first (D1), times the duration.
     timepassed: Vec<S>,
     duration: S,
     clocks: Clocks,
@@ -64,7 +65,7 @@ impl<S: Scalar> Clocked<S> {
         self.timepassed[disc] = time;
     }
 
-    /// What is left of an object's frame.
+    /// What is left of an object's frame (P4.4): a time, not a length (D4).
     pub(super) fn left(&self, disc: usize) -> S {
         self.duration.clone() - self.clock(disc)
     }

@@ -7,7 +7,7 @@
 //! is there to show.
 //!
 //! Times within a frame run from zero to the frame's duration, where the
-//! paper's `timepassed` runs from zero to one.
+//! paper's `timepassed` runs from zero to one (D2).
 
 mod bounded;
 mod clock;

@@ -1,4 +1,4 @@
-//! The paper's multiple collision algorithm (P4.1 to P4.6).
+//! The paper's multiple collision algorithm (P4.1 to P4.7).
 //!
 //! Passes of the single collision algorithm continue from each other: an
 //! object that has collided goes on from there with what is left of its frame,
@@ -52,7 +52,7 @@ pub fn multiple<S: Scalar>(
 }
 
 /// Passes until no more are allowed, or until one finds nothing: then another
-/// would find nothing either.
+/// would find nothing either (D10).
 pub(super) fn run_passes<S: Scalar>(
     world: &mut World<S>,
     frame: &Frame<S>,

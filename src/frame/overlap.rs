@@ -4,7 +4,7 @@
 //! two are moved apart along the line of their centres to exact contact, by
 //! shares in inverse proportion to their masses; an impulse follows only if
 //! they approach. Concentric discs and a centre on a wall give no direction
-//! and are left alone.
+//! and are left alone (D14).
 
 use crate::body::Feature;
 use crate::impact::{Contact, two};

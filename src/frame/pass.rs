@@ -3,7 +3,8 @@
 //! A pair is valid if both objects reach the collision within what is left of
 //! their frame. A valid collision is kept if it is the earliest for both its
 //! objects; bodies of infinite mass and walls, which a collision does not
-//! change, have no say. Losers get no second choice in the pass (P3.3).
+//! change, have no say (D9). Losers get no second choice in the pass (P3.3,
+//! D7).
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
@@ -23,7 +24,7 @@ pub(super) struct Passing<'a, S: Scalar> {
     clocked: Clocked<S>,
     /// The same in binary64 bounds, where the arithmetic wants the filter.
     bounds: Option<Clocked<Interval>>,
-    /// Whether the velocity has changed in this frame.
+    /// Whether the velocity has changed in this frame (P4.3).
     modified: Vec<bool>,
     /// Whether the object collided in the latest pass.
     collided: Vec<bool>,
@@ -72,7 +73,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
             .collect()
     }
 
-    /// Moves on whoever did not collide in the latest pass.
+    /// Moves on whoever did not collide in the latest pass (D10).
     pub(super) fn move_on(self) {
         let Self {
             bodies,
@@ -101,7 +102,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
         Ok(found)
     }
 
-    /// In the first pass every pair is, later those with a modified object.
+    /// In the first pass every pair is, later those with a modified object (D8).
     #[inline]
     fn is_tested(&self, disc: usize, obstacle: Obstacle) -> bool {
         let modified = |obstacle| matches!(obstacle, Obstacle::Disc(other) if self.modified[other]);

@@ -3,7 +3,7 @@
 //! All objects move on by a finite step; then pairs that overlap are moved
 //! apart and, if they approach, collide where they are. Objects that are
 //! nowhere found to overlap pass through each other: the algorithm tunnels.
-//! Smaller steps only make that rarer.
+//! Smaller steps only make that rarer (P2.3).
 
 use super::Frame;
 use super::bounded::Bounded;
@@ -37,7 +37,7 @@ pub fn retroactive<S: Scalar>(
     Ok(impacts)
 }
 
-/// Moves apart whatever overlaps, and lets it collide if it approaches.
+/// Moves apart whatever overlaps, and lets it collide if it approaches (D15).
 fn collide_overlapping<S: Scalar>(
     world: &mut World<S>,
     time: &S,

@@ -2,8 +2,8 @@
 //!
 //! Every pair is tested for a collision within the frame, and each object
 //! keeps the one that comes first for it. An object that collides stays at the
-//! place of its collision for the rest of the frame, with its new velocity;
-//! all others move on to the end of theirs.
+//! place of its collision for the rest of the frame, with its new velocity, and
+//! so falls behind (P3.7); all others move on to the end of theirs.
 
 use super::Frame;
 use super::clock::Clocks;

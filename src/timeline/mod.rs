@@ -1,4 +1,4 @@
-//! The timeline: always the next impact of all, in order.
+//! The timeline: always the next impact of all, in order (P6.1).
 //!
 //! Between impacts every body moves freely, so a body is kept at the time of
 //! its own last impact and is not touched in between. The next impact is the
@@ -8,8 +8,8 @@
 //! its discs have forecast, and impacts that share no disc and are closer
 //! than 2^-1000 of the duration. The latter commute.
 //!
-//! Simultaneous impacts follow the `sequential` rule: one pair at a time, in
-//! the order of their names, until no touching pair approaches.
+//! Simultaneous impacts follow the `sequential` rule (D17): one pair at a time,
+//! in the order of their names, until no touching pair approaches.
 
 mod flight;
 mod forecast;

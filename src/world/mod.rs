@@ -38,7 +38,7 @@ impl Obstacle {
     }
 }
 
-/// The bodies of a scene, as numbers of one type.
+/// The bodies of a scene, as numbers of one type (P1.1).
 #[derive(Clone, Debug)]
 pub struct World<S> {
     /// The discs, at the start of the scene or wherever a run has taken them.
@@ -83,7 +83,7 @@ impl<S: Scalar> World<S> {
             }
     }
 
-    /// Every disc with each disc after it and each wall.
+    /// Every disc with each disc after it and each wall (P1.2).
     pub(crate) fn pairs(&self) -> impl Iterator<Item = (usize, Obstacle)> + use<S> {
         let (discs, walls) = (self.discs.len(), self.walls.len());
         (0..discs).flat_map(move |disc| {

@@ -1,0 +1,146 @@
+//! Algorithms and arithmetics, as they are chosen on the command line.
+
+use std::str::FromStr;
+use std::time::Duration;
+
+use carom::arithmetic::{Arithmetic as _, Budget};
+use carom::frame::Passes;
+use carom::scalar::Exact;
+use carom::simulation::Algorithm;
+use clap::{Args, ValueEnum};
+
+use super::error::Error;
+
+/// The passes of the multiple collision algorithm, unless others are asked
+/// for.
+const DEFAULT_PASSES: u32 = 2;
+
+/// An algorithm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum AlgorithmName {
+    /// Step, test for overlap, resolve.
+    Retroactive,
+    /// The single collision algorithm: one impact a disc and frame.
+    Single,
+    /// The multiple collision algorithm: several passes, local clocks.
+    Multiple,
+    /// The same with synchronised clocks.
+    Synchronised,
+    /// Event-driven: every impact in its order.
+    Timeline,
+}
+
+/// An arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ArithmeticName {
+    Binary64,
+    Exact,
+}
+
+impl FromStr for ArithmeticName {
+    type Err = &'static str;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        match name {
+            f64::NAME => Ok(Self::Binary64),
+            Exact::NAME => Ok(Self::Exact),
+            "filtered" => Err("not in this version; expected f64 or exact"),
+            _ => Err("expected f64 or exact"),
+        }
+    }
+}
+
+/// The choice of an algorithm.
+#[derive(Args, Debug)]
+pub(super) struct AlgorithmArguments {
+    /// How the scene is simulated.
+    #[arg(long, value_name = "A", value_enum, default_value = "timeline")]
+    algorithm: AlgorithmName,
+    /// The most passes a frame of multiple and synchronised [default: 2].
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..))]
+    passes: Option<u32>,
+    /// Instead of a number of passes: the milliseconds after which there are
+    /// no more in a frame.
+    #[arg(long, value_name = "MS", value_parser = milliseconds, conflicts_with = "passes")]
+    frame_budget: Option<Duration>,
+    /// The steps a frame of retroactive [default: 1].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    substeps: Option<u32>,
+}
+
+impl AlgorithmArguments {
+    /// The algorithm, unless an option does not belong to it.
+    pub(super) fn algorithm(&self) -> Result<Algorithm, Error> {
+        let has_passes = matches!(
+            self.algorithm,
+            AlgorithmName::Multiple | AlgorithmName::Synchronised
+        );
+        let misplaced = [
+            ("--passes", self.passes.is_some() && !has_passes),
+            ("--frame-budget", self.frame_budget.is_some() && !has_passes),
+            (
+                "--substeps",
+                self.substeps.is_some() && self.algorithm != AlgorithmName::Retroactive,
+            ),
+        ];
+        match misplaced.into_iter().find(|(_, misplaced)| *misplaced) {
+            Some((option, _)) => Err(Error::Usage(format!(
+                "{option}: not an option of the algorithm {}",
+                self.algorithm.with(self.passes(), 1)
+            ))),
+            None => Ok(self
+                .algorithm
+                .with(self.passes(), self.substeps.unwrap_or(1))),
+        }
+    }
+
+    fn passes(&self) -> Passes {
+        match self.frame_budget {
+            Some(budget) => Passes::Budget(budget),
+            None => Passes::Count(self.passes.unwrap_or(DEFAULT_PASSES)),
+        }
+    }
+}
+
+impl AlgorithmName {
+    /// The algorithm with its parameters.
+    pub(super) fn with(self, passes: Passes, substeps: u32) -> Algorithm {
+        match self {
+            Self::Retroactive => Algorithm::Retroactive { substeps },
+            Self::Single => Algorithm::Single,
+            Self::Multiple => Algorithm::Multiple(passes),
+            Self::Synchronised => Algorithm::Synchronised(passes),
+            Self::Timeline => Algorithm::Timeline,
+        }
+    }
+}
+
+/// What exact arithmetic may cost.
+#[derive(Args, Debug)]
+pub(super) struct BudgetArguments {
+    /// The most bits that exact arithmetic tries before it leaves a decision
+    /// open.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = Budget::default().most_bits,
+        value_parser = clap::value_parser!(u32).range(64..=1 << 20)
+    )]
+    max_bits: u32,
+}
+
+impl BudgetArguments {
+    pub(super) fn budget(&self) -> Budget {
+        let usual = Budget::default();
+        Budget {
+            first_bits: usual.first_bits.min(self.max_bits),
+            most_bits: self.max_bits,
+        }
+    }
+}
+
+fn milliseconds(text: &str) -> Result<Duration, &'static str> {
+    let expected = "expected a number of milliseconds that is not negative";
+    let number: f64 = text.parse().map_err(|_| expected)?;
+    Duration::try_from_secs_f64(number / 1e3).map_err(|_| expected)
+}

@@ -1,0 +1,106 @@
+//! What is compared: algorithms, each in several arithmetics.
+
+use std::fmt;
+use std::time::Duration;
+
+use carom::arithmetic::{Arithmetic, Budget};
+use carom::frame::Passes;
+use carom::judge::{Judged, judge};
+use carom::scalar::Exact;
+use carom::scene::Scene;
+use carom::simulation::Algorithm;
+use carom::support::{Unsupported, check_support};
+
+use super::cost::median_cost;
+use crate::cli::choice::{AlgorithmName, ArithmeticName};
+
+/// An algorithm in an arithmetic.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Candidate {
+    pub(super) algorithm: Algorithm,
+    pub(super) arithmetic: ArithmeticName,
+}
+
+/// Which candidates are wanted.
+pub(super) struct Selection<'a> {
+    pub(super) algorithms: &'a [AlgorithmName],
+    pub(super) arithmetics: &'a [ArithmeticName],
+    pub(super) passes: &'a [u32],
+    pub(super) substeps: u32,
+}
+
+impl Selection<'_> {
+    /// Every algorithm in every arithmetic.
+    pub(super) fn candidates(&self) -> Vec<Candidate> {
+        let algorithms = self.algorithms.iter();
+        let algorithms = algorithms.flat_map(|name| {
+            let passes = self.passes_of(*name).iter();
+            passes.map(|&passes| name.with(Passes::Count(passes), self.substeps))
+        });
+        let all = algorithms.flat_map(|algorithm| {
+            let arithmetics = self.arithmetics.iter();
+            arithmetics.map(move |&arithmetic| Candidate {
+                algorithm,
+                arithmetic,
+            })
+        });
+        all.collect()
+    }
+
+    /// The numbers of passes with which an algorithm is run.
+    fn passes_of(&self, name: AlgorithmName) -> &[u32] {
+        match name {
+            AlgorithmName::Multiple => self.passes,
+            // Those without passes have no use for the number.
+            _ => &self.passes[..1],
+        }
+    }
+}
+
+impl Candidate {
+    pub(super) fn check(&self, scene: &Scene) -> Result<(), Unsupported> {
+        match self.arithmetic {
+            ArithmeticName::Binary64 => check_support::<f64>(scene),
+            ArithmeticName::Exact => check_support::<Exact>(scene),
+        }
+    }
+
+    pub(super) fn judge(&self, scene: &Scene, budget: &Budget) -> Result<Judged, Unsupported> {
+        match self.arithmetic {
+            ArithmeticName::Binary64 => judge::<f64>(scene, self.algorithm, budget),
+            ArithmeticName::Exact => judge::<Exact>(scene, self.algorithm, budget),
+        }
+    }
+
+    /// What the whole run takes while nothing else runs: of a binary64
+    /// candidate, which is soon done.
+    pub(super) fn cost_alone(&self, scene: &Scene) -> Option<Duration> {
+        let is_fast = self.arithmetic == ArithmeticName::Binary64;
+        is_fast.then(|| median_cost(scene, self.algorithm))
+    }
+
+    pub(super) fn arithmetic_name(&self) -> &'static str {
+        match self.arithmetic {
+            ArithmeticName::Binary64 => f64::NAME,
+            ArithmeticName::Exact => Exact::NAME,
+        }
+    }
+
+    /// The passes or steps a frame, of an algorithm that has them.
+    pub(super) fn parameter(&self) -> Option<u32> {
+        match self.algorithm {
+            Algorithm::Multiple(Passes::Count(count))
+            | Algorithm::Synchronised(Passes::Count(count))
+            | Algorithm::Retroactive { substeps: count } => Some(count),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Candidate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.algorithm)?;
+        self.parameter()
+            .map_or(Ok(()), |parameter| write!(f, " {parameter}"))
+    }
+}

@@ -1,0 +1,61 @@
+//! Where results go: files, or standard output.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use super::error::Error;
+
+/// A file, or standard output if its path is `-`.
+pub(super) struct Output {
+    name: String,
+    writer: Box<dyn Write>,
+}
+
+impl Output {
+    /// Opens it for writing.
+    pub(super) fn open(path: &Path) -> Result<Self, Error> {
+        if is_standard(path) {
+            return Ok(Self {
+                name: String::from("standard output"),
+                writer: Box::new(BufWriter::new(io::stdout().lock())),
+            });
+        }
+        let name = path.display().to_string();
+        match File::create(path) {
+            Ok(file) => Ok(Self {
+                name,
+                writer: Box::new(BufWriter::new(file)),
+            }),
+            Err(reason) => Err(Error::Unwritable { file: name, reason }),
+        }
+    }
+
+    /// Writes all of a result.
+    pub(super) fn write(
+        mut self,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Error> {
+        let writer = &mut self.writer;
+        let written = write(writer).and_then(|()| writer.flush());
+        written.map_err(|reason| Error::Unwritable {
+            file: self.name,
+            reason,
+        })
+    }
+
+    /// Writes a text.
+    pub(super) fn write_text(self, text: &str) -> Result<(), Error> {
+        self.write(|writer| writer.write_all(text.as_bytes()))
+    }
+}
+
+/// Whether a path means standard input or output.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// The path that means standard input or output.
+pub(super) fn standard() -> PathBuf {
+    PathBuf::from("-")
+}

@@ -1,0 +1,234 @@
+//! `carom run`: one scene, one algorithm, one arithmetic.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use carom::arithmetic::Arithmetic;
+use carom::log::{MIN_DIGITS, Recorder, State, end_scene};
+use carom::run::{Options, Outcome, Status, run};
+use carom::scalar::{Exact, Number};
+use carom::scene::Scene;
+use carom::simulation::Algorithm;
+use carom::support::{Unsupported, check_support};
+
+use super::choice::{AlgorithmArguments, ArithmeticName, BudgetArguments};
+use super::error::{self, Error};
+use super::exit::Exit;
+use super::interrupt;
+use super::output::{Output, is_standard, standard};
+use super::progress::RunBar;
+
+/// Run a scene and log its impacts.
+///
+/// Numbers in a scene: a bare one, 0.1, is the nearest binary64; a string,
+/// "0.1", is exact.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  carom run scenes/figure-7.json
+  carom run scenes/table1-full.json --arithmetic exact --events log.jsonl --state end.json
+  carom run scene.json --algorithm multiple --passes 3 --until 1/2")]
+pub(super) struct Arguments {
+    /// The scene; - is standard input.
+    scene: PathBuf,
+    #[command(flatten)]
+    algorithm: AlgorithmArguments,
+    /// The numbers that it is computed with: f64 or exact.
+    #[arg(long, value_name = "N", default_value = "f64")]
+    arithmetic: ArithmeticName,
+    /// Where the event log goes; - is standard output, as is the default
+    /// unless the state alone is asked for.
+    #[arg(long, value_name = "FILE")]
+    events: Option<PathBuf>,
+    /// Where the state at the end goes; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    state: Option<PathBuf>,
+    /// Where the end goes as a scene, to go on from; - is standard output.
+    /// Its numbers are rounded to binary64, or with --digits those of exact
+    /// arithmetic to that many.
+    #[arg(long, value_name = "FILE")]
+    final_scene: Option<PathBuf>,
+    /// The time at which the run ends, an exact number such as 1/3, instead
+    /// of that of the scene. Frame algorithms finish the frame.
+    #[arg(long, value_name = "T", value_parser = duration, allow_negative_numbers = true)]
+    until: Option<Number>,
+    /// The number of impacts after which the run ends.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = Options::default().max_events,
+        value_parser = clap::value_parser!(u64).range(1..)
+    )]
+    max_events: u64,
+    /// How many decimal digits exact arithmetic proves of each time; 20 at
+    /// the least, which is the default.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=10_000))]
+    digits: Option<u32>,
+    #[command(flatten)]
+    budget: BudgetArguments,
+    /// Log the contact point, the normal and the velocities after.
+    #[arg(long)]
+    contact: bool,
+}
+
+/// What is written where.
+struct Outputs {
+    events: Option<Output>,
+    state: Option<Output>,
+    final_scene: Option<Output>,
+}
+
+pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
+    let algorithm = arguments.algorithm.algorithm()?;
+    arguments.check_outputs()?;
+    let scene = Scene::read(&arguments.scene)?;
+    match arguments.arithmetic {
+        ArithmeticName::Binary64 => arguments.run::<f64>(&scene, algorithm),
+        ArithmeticName::Exact => arguments.run::<Exact>(&scene, algorithm),
+    }
+}
+
+impl Arguments {
+    fn run<S: Arithmetic>(&self, scene: &Scene, algorithm: Algorithm) -> Result<Exit, Error> {
+        let unsupported = |reason| Error::Unsupported {
+            file: self.scene.display().to_string(),
+            reason,
+        };
+        check_support::<S>(scene).map_err(unsupported)?;
+        self.check_until::<S>()?;
+        interrupt::listen();
+        let outputs = self.open_outputs()?;
+        let options = self.options();
+        let outcome = watched::<S>(scene, algorithm, &options).map_err(unsupported)?;
+        self.write(outputs, scene, algorithm, &options, &outcome)?;
+        tell(&self.scene, &outcome.status);
+        Ok(Exit::from(&outcome.status))
+    }
+
+    /// The end is a number like those of the scene.
+    fn check_until<S: Arithmetic>(&self) -> Result<(), Error> {
+        match &self.until {
+            Some(until) if S::LIMITED && !until.fits_binary64() => Err(Error::Usage(format!(
+                "--until: expected at most 2^{} for binary64, found {until}",
+                Number::BINARY64_RANGE
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    fn options(&self) -> Options {
+        Options {
+            until: self.until.clone(),
+            max_events: self.max_events,
+            budget: self.budget.budget(),
+            // Bounds that are a little apart may still straddle the last
+            // digit: one more makes them close enough.
+            digits: self.shown_digits() + 1,
+        }
+    }
+
+    fn shown_digits(&self) -> u32 {
+        self.digits.unwrap_or(MIN_DIGITS)
+    }
+
+    /// Where the event log goes, if anywhere.
+    fn events(&self) -> Option<PathBuf> {
+        let end_is_shown = self.final_scene.as_deref().is_some_and(is_standard);
+        match &self.events {
+            None if self.state.is_none() && !end_is_shown => Some(standard()),
+            events => events.clone(),
+        }
+    }
+
+    /// A file holds one result, and so does standard output.
+    fn check_outputs(&self) -> Result<(), Error> {
+        let all = [&self.events, &self.state, &self.final_scene];
+        let [events, state, end] = all.map(Option::as_deref);
+        let shared = [(events, state), (events, end), (state, end)];
+        let shared = shared
+            .into_iter()
+            .find(|(one, other)| one == other && one.is_some());
+        match shared {
+            Some((Some(path), _)) => Err(Error::Usage(format!(
+                "{}: expected only one of --events, --state and --final-scene",
+                path.display()
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// Opens all files before the run, for it may take long.
+    fn open_outputs(&self) -> Result<Outputs, Error> {
+        let open = |path: Option<&Path>| path.map(Output::open).transpose();
+        Ok(Outputs {
+            events: open(self.events().as_deref())?,
+            state: open(self.state.as_deref())?,
+            final_scene: open(self.final_scene.as_deref())?,
+        })
+    }
+
+    fn write<S: Arithmetic>(
+        &self,
+        outputs: Outputs,
+        scene: &Scene,
+        algorithm: Algorithm,
+        options: &Options,
+        outcome: &Outcome<S>,
+    ) -> Result<(), Error> {
+        if let Some(output) = outputs.state {
+            let state = State::at_end(scene, outcome, self.shown_digits());
+            output.write_text(&state.to_json())?;
+        }
+        if let Some(output) = outputs.final_scene {
+            let end = end_scene(scene, outcome, self.digits)?;
+            output.write_text(&end.to_json())?;
+        }
+        if let Some(output) = outputs.events {
+            let recorder = Recorder::new(scene, algorithm, options, outcome);
+            let recorder = recorder.digits(self.shown_digits());
+            let recorder = match self.contact {
+                true => recorder.with_contacts(),
+                false => recorder,
+            };
+            output.write(|writer| recorder.write(writer))?;
+        }
+        Ok(())
+    }
+}
+
+/// A run that shows its progress and heeds Ctrl-C.
+fn watched<S: Arithmetic>(
+    scene: &Scene,
+    algorithm: Algorithm,
+    options: &Options,
+) -> Result<Outcome<S>, Unsupported> {
+    let mut bar = RunBar::new();
+    run(scene, algorithm, options, &mut |progress| {
+        bar.show(progress);
+        match interrupt::is_interrupted() {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    })
+}
+
+/// Says why a run did not come to its end.
+fn tell(scene: &Path, status: &Status) {
+    let scene = scene.display();
+    match status {
+        Status::Complete => {}
+        Status::Undecided(open) => error::report(&format_args!("{scene}: undecided: {open}")),
+        Status::EventLimit => {
+            error::report(&format_args!("{scene}: ended by the limit of --max-events"));
+        }
+        Status::Interrupted => error::report(&format_args!("{scene}: interrupted")),
+    }
+}
+
+/// A time that is not before the start.
+fn duration(text: &str) -> Result<Number, String> {
+    let number: Number = text.parse().map_err(|error| format!("{error}"))?;
+    match number.sign().is_ge() {
+        true => Ok(number),
+        false => Err(String::from("expected a time that is not negative")),
+    }
+}

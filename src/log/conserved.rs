@@ -1,0 +1,27 @@
+//! Energy and momentum, of the discs of finite mass.
+
+use crate::arithmetic::Arithmetic;
+use crate::body::{Disc, Mass};
+use crate::vec2::Vec2;
+
+/// The kinetic energy, Σ m v² / 2.
+pub(super) fn energy<S: Arithmetic>(discs: &[Disc<S>]) -> S {
+    let twice = movable(discs)
+        .map(|(disc, mass)| disc.velocity.norm_squared() * mass)
+        .fold(S::from_integer(0), |sum, next| sum + next);
+    twice / S::from_integer(2)
+}
+
+/// The momentum, Σ m v.
+pub(super) fn momentum<S: Arithmetic>(discs: &[Disc<S>]) -> Vec2<S> {
+    movable(discs)
+        .map(|(disc, mass)| disc.velocity.scaled(mass))
+        .fold(Vec2::zero(), |sum, next| sum.plus(&next))
+}
+
+fn movable<S>(discs: &[Disc<S>]) -> impl Iterator<Item = (&Disc<S>, &S)> {
+    discs.iter().filter_map(|disc| match &disc.mass {
+        Mass::Finite(mass) => Some((disc, mass)),
+        Mass::Infinite => None,
+    })
+}

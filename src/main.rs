@@ -1,0 +1,7 @@
+//! carom's command line.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

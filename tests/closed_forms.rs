@@ -1,0 +1,20 @@
+//! Scenes whose impacts can be derived by hand: each test says how, and the
+//! exact timeline must give just that.
+
+mod common;
+
+#[path = "closed_forms/chains.rs"]
+mod chains;
+#[path = "closed_forms/discs.rs"]
+mod discs;
+#[cfg(feature = "json")]
+#[path = "closed_forms/figures.rs"]
+mod figures;
+#[path = "closed_forms/grazes.rs"]
+mod grazes;
+#[path = "closed_forms/losses.rs"]
+mod losses;
+#[path = "closed_forms/starts.rs"]
+mod starts;
+#[path = "closed_forms/walls.rs"]
+mod walls;
