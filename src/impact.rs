@@ -51,28 +51,28 @@ pub struct Contact<S> {
     pub other_velocity: Option<Vec2<S>>,
 }
 
-impl<S: Scalar> World<S> {
-    /// The line on which a disc touches a feature, another disc being where
-    /// `other` says.
-    pub(crate) fn normal(&self, disc: usize, feature: Feature, other: &Vec2<S>) -> Vec2<S> {
-        let centre = &self.discs[disc].position;
-        match feature {
-            Feature::Disc(_) => other.minus(centre),
-            Feature::Corner(corner) => self.corner_position(corner).minus(centre),
-            Feature::Wall(wall) => self.walls[wall as usize].segment.along.perpendicular(),
-        }
-    }
+/// Where two bodies are when they collide. A body of infinite mass that moves
+/// is elsewhere in the world, for an impact does not stop it there.
+pub(crate) struct Place<S> {
+    /// The first disc's centre.
+    pub(crate) centre: Vec2<S>,
+    /// The other disc's centre; of no account for a wall.
+    pub(crate) other: Vec2<S>,
+    /// Whether they may overlap, so that their distance is not known by
+    /// construction.
+    pub(crate) overlap: bool,
+}
 
-    /// Applies the response to the impact of a disc on a feature, along a
-    /// normal, and remembers that they part.
+impl<S: Scalar> World<S> {
+    /// Applies the response to the impact of a disc on a feature, and
+    /// remembers that they part.
     pub(crate) fn collide(
         &mut self,
         disc: usize,
         feature: Feature,
-        direction: Vec2<S>,
-        overlap: bool,
+        place: Place<S>,
     ) -> Result<Contact<S>, S::Doubt> {
-        let normal = self.measured(disc, feature, direction, overlap);
+        let normal = self.normal(disc, feature, &place);
         let other_velocity = match feature {
             Feature::Disc(other) => {
                 let other = other as usize;
@@ -89,7 +89,7 @@ impl<S: Scalar> World<S> {
         let body = &self.discs[disc];
         Ok(Contact {
             normal: normal.direction,
-            centre: body.position.clone(),
+            centre: place.centre,
             velocity: body.velocity.clone(),
             other_velocity,
         })
@@ -97,26 +97,45 @@ impl<S: Scalar> World<S> {
 }
 
 impl<S: Scalar> World<S> {
-    /// The normal with its square, by construction where that is known.
-    fn measured(
-        &self,
+    /// The same, where the two are now.
+    pub(crate) fn collide_here(
+        &mut self,
         disc: usize,
         feature: Feature,
-        direction: Vec2<S>,
-        overlap: bool,
-    ) -> Normal<S> {
+    ) -> Result<Contact<S>, S::Doubt> {
+        let other = match feature {
+            Feature::Disc(other) => self.discs[other as usize].position.clone(),
+            Feature::Wall(_) | Feature::Corner(_) => Vec2::zero(),
+        };
+        let place = Place {
+            centre: self.discs[disc].position.clone(),
+            other,
+            overlap: true,
+        };
+        self.collide(disc, feature, place)
+    }
+
+    /// The line on which a disc touches a feature.
+    fn normal(&self, disc: usize, feature: Feature, place: &Place<S>) -> Normal<S> {
         let radius = &self.discs[disc].radius;
-        match feature {
+        let (target, reach) = match feature {
             Feature::Wall(wall) => {
-                let squared = self.walls[wall as usize].segment.length_squared.clone();
-                Normal { direction, squared }
+                let segment = &self.walls[wall as usize].segment;
+                let squared = segment.length_squared.clone();
+                let direction = segment.along.perpendicular();
+                return Normal { direction, squared };
             }
-            _ if overlap => Normal::at_overlap(direction),
-            Feature::Corner(_) => Normal::at_contact(direction, radius),
+            Feature::Corner(corner) => (self.corner_position(corner), radius.clone()),
             Feature::Disc(other) => {
-                let reach = radius.clone() + &self.discs[other as usize].radius;
-                Normal::at_contact(direction, &reach)
+                let other = &self.discs[other as usize];
+                (&place.other, radius.clone() + &other.radius)
             }
+        };
+        let direction = target.minus(&place.centre);
+        if place.overlap {
+            Normal::at_overlap(direction)
+        } else {
+            Normal::at_contact(direction, &reach)
         }
     }
 

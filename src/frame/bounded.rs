@@ -1,6 +1,7 @@
 //! A world, with binary64 bounds of it where the arithmetic wants a filter.
 
-use super::overlap::{self, Touch};
+use super::overlap;
+use crate::body::Feature;
 use crate::scalar::{Doubt, Interval, Scalar};
 use crate::world::{Obstacle, World};
 
@@ -34,19 +35,19 @@ impl<'a, S: Scalar> Bounded<'a, S> {
         &mut self,
         disc: usize,
         obstacle: Obstacle,
-    ) -> Result<Option<Touch<S>>, S::Doubt> {
+    ) -> Result<Option<Feature>, S::Doubt> {
         if self.world.is_barred(disc, obstacle) || self.surely_apart(disc, obstacle) {
             return Ok(None);
         }
-        let touch = overlap::separate(self.world, disc, obstacle);
-        let touch = touch.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "overlap")))?;
-        if touch.is_some() {
+        let touched = overlap::separate(self.world, disc, obstacle);
+        let touched = touched.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "overlap")))?;
+        if touched.is_some() {
             self.update(disc);
             if let Obstacle::Disc(other) = obstacle {
                 self.update(other);
             }
         }
-        Ok(touch)
+        Ok(touched)
     }
 
     fn surely_apart(&self, disc: usize, obstacle: Obstacle) -> bool {

@@ -7,25 +7,19 @@
 //! and are left alone (D14).
 
 use crate::body::Feature;
-use crate::impact::{Contact, two};
+use crate::impact::two;
 use crate::respond::{Share, shares};
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
 
-/// Bodies that have been moved apart and now touch.
-pub(super) struct Touch<S> {
-    pub(super) disc: usize,
-    pub(super) feature: Feature,
-    direction: Vec2<S>,
-}
-
-/// Moves a disc and an obstacle apart, if they overlap.
+/// Moves a disc and an obstacle apart, if they overlap, so that they touch:
+/// what of the obstacle is returned.
 pub(super) fn separate<S: Scalar>(
     world: &mut World<S>,
     disc: usize,
     obstacle: Obstacle,
-) -> Result<Option<Touch<S>>, S::Doubt> {
+) -> Result<Option<Feature>, S::Doubt> {
     let overlap = world.overlap(disc, obstacle)?;
     let Some((feature, separation)) = overlap.and_then(|(feature, overlap)| {
         let separation = overlap.separation?;
@@ -48,11 +42,7 @@ pub(super) fn separate<S: Scalar>(
         }
     }
     world.contacts.join(disc, feature);
-    Ok(Some(Touch {
-        disc,
-        feature,
-        direction: separation.direction,
-    }))
+    Ok(Some(feature))
 }
 
 fn displace<S: Scalar>(position: &mut Vec2<S>, push: &Vec2<S>, share: &Share<S>) {
@@ -61,11 +51,4 @@ fn displace<S: Scalar>(position: &mut Vec2<S>, push: &Vec2<S>, share: &Share<S>)
         Share::Part(part) => position.moved(push, part),
         Share::Whole => position.plus(push),
     };
-}
-
-impl<S: Scalar> Touch<S> {
-    /// Lets the two collide where they are.
-    pub(super) fn collide(&self, world: &mut World<S>) -> Result<Contact<S>, S::Doubt> {
-        world.collide(self.disc, self.feature, self.direction.clone(), true)
-    }
 }

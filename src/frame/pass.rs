@@ -12,7 +12,7 @@ use super::Frame;
 use super::bounded::Bounded;
 use super::clock::{Clocked, Clocks, Collision};
 use crate::body::Feature;
-use crate::impact::{Impact, Step};
+use crate::impact::{Impact, Place, Step};
 use crate::scalar::{Doubt, Interval, Scalar};
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
@@ -52,11 +52,11 @@ impl<'a, S: Scalar> Passing<'a, S> {
     /// Moves apart what overlaps at the start of the frame (P3.5).
     pub(super) fn resolve_overlaps(&mut self) -> Result<(), S::Doubt> {
         for (disc, obstacle) in self.bodies.world.pairs() {
-            let Some(touch) = self.bodies.separate(disc, obstacle)? else {
+            let Some(feature) = self.bodies.separate(disc, obstacle)? else {
                 continue;
             };
-            if !self.bodies.world.approaches_here(disc, touch.feature)? {
-                self.bodies.world.remember(disc, touch.feature);
+            if !self.bodies.world.approaches_here(disc, feature)? {
+                self.bodies.world.remember(disc, feature);
             }
         }
         Ok(())
@@ -170,14 +170,11 @@ impl<'a, S: Scalar> Passing<'a, S> {
     /// Moves the objects of a collision to it, and lets them collide.
     fn respond(&mut self, collision: &Collision<S>) -> Result<Impact<S>, S::Doubt> {
         let (disc, feature) = (collision.disc, collision.feature);
-        let other = self.partner_at(collision);
         for (object, span, _) in self.moved(collision) {
             self.bodies.world.advance_disc(object, span);
         }
-        let world = &mut *self.bodies.world;
-        let normal = world.normal(disc, feature, &other);
-        let contact = world.collide(disc, feature, normal, collision.overlap)?;
-        world.contacts.join(disc, feature);
+        let place = self.place(collision);
+        let contact = self.bodies.world.collide(disc, feature, place)?;
         self.note(collision);
         let (pair, end) = self.bodies.world.names(disc, feature);
         let [time, other_time] = &collision.times;
@@ -197,13 +194,28 @@ impl<'a, S: Scalar> Passing<'a, S> {
         })
     }
 
-    /// Where the other disc is when they collide.
-    fn partner_at(&self, collision: &Collision<S>) -> Vec2<S> {
-        let Feature::Disc(other) = collision.feature else {
-            return Vec2::zero();
+    /// Where the two are when they collide.
+    fn place(&self, collision: &Collision<S>) -> Place<S> {
+        let [span, other_span] = &collision.spans;
+        let other = match collision.feature {
+            Feature::Disc(other) => self.position_after(other as usize, other_span),
+            Feature::Wall(_) | Feature::Corner(_) => Vec2::zero(),
         };
-        let other = &self.bodies.world.discs[other as usize];
-        other.position.moved(&other.velocity, &collision.spans[1])
+        Place {
+            centre: self.position_after(collision.disc, span),
+            other,
+            overlap: collision.overlap,
+        }
+    }
+
+    /// Where an object is that has moved to a collision, or does not stop.
+    fn position_after(&self, disc: usize, span: &S) -> Vec2<S> {
+        let object = &self.bodies.world.discs[disc];
+        if object.is_movable() {
+            object.position.clone()
+        } else {
+            object.position.moved(&object.velocity, span)
+        }
     }
 
     /// The objects that a collision changes, with how long each moves until
@@ -234,6 +246,10 @@ impl<'a, S: Scalar> Passing<'a, S> {
     /// Remembers what a collision has changed.
     fn note(&mut self, collision: &Collision<S>) {
         let askew = self.is_askew(collision);
+        if self.is_lasting(collision) {
+            let contacts = &mut self.bodies.world.contacts;
+            contacts.join(collision.disc, collision.feature);
+        }
         for (object, _, time) in self.moved(collision) {
             self.modified[object] = true;
             self.collided[object] = true;
@@ -249,15 +265,26 @@ impl<'a, S: Scalar> Passing<'a, S> {
     /// Whether the two, moving on to the end of the frame, do so for
     /// different times.
     fn is_askew(&self, collision: &Collision<S>) -> bool {
-        let rests = |disc: usize| {
-            let velocity = &self.bodies.world.discs[disc].velocity;
-            let still = velocity.norm_squared().sign().is_ok_and(Ordering::is_eq);
-            !self.is_movable(disc) && still
+        let Feature::Disc(other) = collision.feature else {
+            return false;
         };
-        match collision.feature {
-            Feature::Disc(other) if rests(collision.disc) || rests(other as usize) => false,
-            Feature::Disc(_) => collision.joins_different_times(),
-            Feature::Wall(_) | Feature::Corner(_) => false,
-        }
+        let rests = [collision.disc, other as usize].map(|disc| self.rests_forever(disc));
+        rests == [false, false] && collision.joins_different_times()
+    }
+
+    /// Whether the two stay where they touch until one moves on.
+    fn is_lasting(&self, collision: &Collision<S>) -> bool {
+        let passes_by = |disc| !self.is_movable(disc) && !self.rests_forever(disc);
+        let other = match collision.feature {
+            Feature::Disc(other) => Some(other as usize),
+            Feature::Wall(_) | Feature::Corner(_) => None,
+        };
+        !passes_by(collision.disc) && !other.is_some_and(passes_by)
+    }
+
+    fn rests_forever(&self, disc: usize) -> bool {
+        let velocity = &self.bodies.world.discs[disc].velocity;
+        let still = || velocity.norm_squared().sign().is_ok_and(Ordering::is_eq);
+        !self.is_movable(disc) && still()
     }
 }

@@ -46,15 +46,15 @@ fn collide_overlapping<S: Scalar>(
 ) -> Result<(), S::Doubt> {
     let mut bodies = Bounded::new(world);
     for (disc, obstacle) in bodies.world.pairs() {
-        let Some(touch) = bodies.separate(disc, obstacle)? else {
+        let Some(feature) = bodies.separate(disc, obstacle)? else {
             continue;
         };
-        if !bodies.world.approaches_here(disc, touch.feature)? {
-            bodies.world.remember(disc, touch.feature);
+        if !bodies.world.approaches_here(disc, feature)? {
+            bodies.world.remember(disc, feature);
             continue;
         }
-        let contact = touch.collide(bodies.world)?;
-        let (pair, end) = bodies.world.names(disc, touch.feature);
+        let contact = bodies.world.collide_here(disc, feature)?;
+        let (pair, end) = bodies.world.names(disc, feature);
         impacts.push(Impact {
             time: time.clone(),
             other_time: None,

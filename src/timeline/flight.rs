@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use crate::body::{Disc, Feature};
 use crate::detect::Encounter;
+use crate::impact::Place;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
@@ -60,8 +61,8 @@ impl<S: Scalar> Flights<S> {
         obstacle: Obstacle,
     ) -> Result<Option<Meeting<S>>, S::Doubt> {
         if let Some(feature) = self.world.contact(disc, obstacle) {
-            let other = self.position_of(feature, &self.since[disc]);
-            let approaches = self.world.approaches(disc, feature, &other)?;
+            let place = self.place(disc, feature, &self.since[disc], true);
+            let approaches = self.world.approaches(disc, feature, &place.other)?;
             return Ok(approaches.then(|| self.meeting(disc, Encounter::now(), feature)));
         }
         match obstacle {
@@ -142,11 +143,27 @@ impl<S: Scalar> Flights<S> {
         }
     }
 
-    /// Where a feature is at a time, as far as that matters: walls stay.
-    pub(super) fn position_of(&self, feature: Feature, time: &S) -> Vec2<S> {
-        match feature {
-            Feature::Disc(other) => self.position_at(other as usize, time),
+    /// Where a disc is that has been brought to a time, or moves on unchanged.
+    fn position_brought(&self, disc: usize, time: &S) -> Vec2<S> {
+        let body = &self.world.discs[disc];
+        if body.is_movable() {
+            body.position.clone()
+        } else {
+            self.position_at(disc, time)
+        }
+    }
+
+    /// Where a disc and a feature are that have been brought to a time.
+    pub(super) fn place(&self, disc: usize, feature: Feature, time: &S, overlap: bool) -> Place<S> {
+        let centre = self.position_brought(disc, time);
+        let other = match feature {
+            Feature::Disc(other) => self.position_brought(other as usize, time),
             Feature::Wall(_) | Feature::Corner(_) => Vec2::zero(),
+        };
+        Place {
+            centre,
+            other,
+            overlap,
         }
     }
 

@@ -283,13 +283,12 @@ impl<S: Scalar> Timeline<S> {
         // A rounded time may have been lifted: it is none that has a name.
         let named = meeting.moment.filter(|_| !S::ROUNDS);
         let moment = named.unwrap_or(self.turn);
-        let other = self.flights.position_of(feature, &time);
         for changed in self.movable(disc, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
         }
+        let place = self.flights.place(disc, feature, &time, meeting.overlap);
         let world = &mut self.flights.world;
-        let normal = world.normal(disc, feature, &other);
-        let contact = world.collide(disc, feature, normal, meeting.overlap)?;
+        let contact = world.collide(disc, feature, place)?;
         world.contacts.join(disc, feature);
         self.nested.part(world, disc, feature);
         let (pair, end) = world.names(disc, feature);
