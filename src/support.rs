@@ -42,23 +42,22 @@ pub fn check_support<S: Arithmetic>(scene: &Scene) -> Result<(), Unsupported> {
     if let Some((_, place)) = absent.into_iter().find(|(asked, _)| *asked) {
         return Err(Unsupported::Effect { place });
     }
-    if S::LIMITED {
-        check_range(scene)?;
-    }
-    Ok(())
+    numbers(scene).try_for_each(|(place, number)| check_number::<S>(place, number))
 }
 
-/// Every number of a scene must be in the range in which no product of four
-/// overflows or vanishes.
-fn check_range(scene: &Scene) -> Result<(), Unsupported> {
-    let outside = numbers(scene).find(|(_, number)| !number.fits_binary64());
-    match outside {
-        None => Ok(()),
-        Some((place, number)) => Err(Unsupported::Range {
-            place,
-            found: number.to_string(),
-        }),
+/// Whether an arithmetic can compute with a number. Where its range is
+/// limited, no product of four must overflow or vanish.
+pub(crate) fn check_number<S: Arithmetic>(
+    place: impl Into<String>,
+    number: &Number,
+) -> Result<(), Unsupported> {
+    if !S::LIMITED || number.fits_binary64() {
+        return Ok(());
     }
+    Err(Unsupported::Range {
+        place: place.into(),
+        found: number.to_string(),
+    })
 }
 
 /// All numbers of a scene, with their places.
@@ -86,6 +85,7 @@ fn numbers(scene: &Scene) -> impl Iterator<Item = (String, &Number)> {
         .chain(slow_limit(scene))
 }
 
+/// The speed below which impacts are elastic.
 fn slow_limit(scene: &Scene) -> Option<(String, &Number)> {
     match &scene.effects().restitution {
         Restitution::Newton { elastic_below, .. } => elastic_below

@@ -1,4 +1,4 @@
-//! How far a run is from the truth.
+//! How far a run is from the truth, and what it costs (P1.4).
 //!
 //! Two questions are told apart. *Frame by frame*: starting each frame from
 //! the candidate's own state, taken exactly, what does the exact timeline say

@@ -14,7 +14,7 @@ use crate::impact::Impact;
 use crate::scalar::{Number, Scalar, Undecided};
 use crate::scene::Scene;
 use crate::simulation::Algorithm;
-use crate::support::{Unsupported, check_support};
+use crate::support::{Unsupported, check_number, check_support};
 use attempt::Attempt;
 
 /// What a run may cost, and where it ends.
@@ -99,6 +99,9 @@ pub fn run<S: Arithmetic>(
     watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome<S>, Unsupported> {
     check_support::<S>(scene)?;
+    if let Some(until) = &options.until {
+        check_number::<S>("until", until)?;
+    }
     let mut precision = S::first_precision(&options.budget);
     loop {
         let mut attempt = Attempt::<S>::new(scene, options, precision, &mut *watch);

@@ -8,7 +8,7 @@ fn irrational_times_are_enclosed() {
     let name = scene("figure-2.json");
     let log = run(&[&name, "--arithmetic", "exact"]);
     let event = &log.events[0];
-    assert_eq!(event.time, 0.403_175_416_344_814_577_870_5);
+    assert_eq!(Ok(event.time), "0.40317541634481457787".parse());
     assert_eq!(
         bounds(event),
         ["0.4031754163448145778705", "0.4031754163448145778706"]

@@ -154,7 +154,7 @@ fn crowd() -> impl Strategy<Value = Vec<DiscBuilder>> {
     let cells = subsequence(all, 3..=6).prop_shuffle();
     cells.prop_flat_map(|cells| {
         let cells = cells.into_iter();
-        cells.map(|cell| inwards(cell)).collect::<Vec<_>>()
+        cells.map(inwards).collect::<Vec<_>>()
     })
 }
 
