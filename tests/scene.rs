@@ -66,6 +66,14 @@ fn committed(name: &str) -> PathBuf {
     repository().join("scenes").join(name)
 }
 
+/// The scene files that come with the library, but for the hard cases, which
+/// hold more than a scene.
+fn committed_scenes() -> impl Iterator<Item = PathBuf> {
+    let entries = fs::read_dir(committed("")).expect("scenes");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths.filter(|path| path.is_file())
+}
+
 /// Splitmix64: numbers that need no library.
 struct Bits(u64);
 

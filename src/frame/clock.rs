@@ -26,6 +26,10 @@ pub(super) struct Collision<S> {
     pub(super) spans: [S; 2],
     /// What each clock shows then.
     pub(super) times: [S; 2],
+    /// The names of these times, where they are those of before.
+    moments: [Option<u64>; 2],
+    /// Whether both clocks are known to show the same time then.
+    pub(super) same_time: bool,
     /// What collisions are ordered by: a time, not a distance (D6).
     pub(super) order: S,
     pub(super) overlap: bool,
@@ -36,6 +40,9 @@ pub(super) struct Collision<S> {
 pub(super) struct Clocked<S> {
     /// The paper's `timepassed` (P4.1), zero at first (D1), times the duration.
     timepassed: Vec<S>,
+    /// Names of the times that the clocks show: equal names are equal times,
+    /// also where the arithmetic could not prove it.
+    moments: Vec<u64>,
     duration: S,
     clocks: Clocks,
 }
@@ -44,6 +51,7 @@ impl<S: Scalar> Clocked<S> {
     pub(super) fn new(count: usize, duration: S, clocks: Clocks) -> Self {
         Self {
             timepassed: vec![S::from_integer(0); count],
+            moments: vec![0; count],
             duration,
             clocks,
         }
@@ -52,6 +60,7 @@ impl<S: Scalar> Clocked<S> {
     pub(super) fn hull(&self) -> Clocked<Interval> {
         Clocked {
             timepassed: self.timepassed.iter().map(S::hull).collect(),
+            moments: self.moments.clone(),
             duration: self.duration.hull(),
             clocks: self.clocks,
         }
@@ -61,8 +70,9 @@ impl<S: Scalar> Clocked<S> {
         &self.timepassed[disc]
     }
 
-    pub(super) fn set(&mut self, disc: usize, time: S) {
+    pub(super) fn set(&mut self, disc: usize, time: S, moment: u64) {
         self.timepassed[disc] = time;
+        self.moments[disc] = moment;
     }
 
     /// What is left of an object's frame (P4.4): a time, not a length (D4).
@@ -131,8 +141,8 @@ impl<S: Scalar> Clocked<S> {
         other: usize,
     ) -> Result<Option<Collision<S>>, S::Doubt> {
         let [first, second] = [disc, other].map(|index| &world.discs[index]);
-        let start = later(self.clock(disc), self.clock(other))?;
-        let waits = [disc, other].map(|index| start.clone() - self.clock(index));
+        let late = self.later(disc, other)?;
+        let waits = [disc, other].map(|index| self.wait(index, late));
         let offset = second
             .position
             .moved(&second.velocity, &waits[1])
@@ -141,7 +151,7 @@ impl<S: Scalar> Clocked<S> {
         let Some(met) = collision(world.meet_discs((disc, other), &offset, &velocity)?) else {
             return Ok(None);
         };
-        let time = start + &met.delay;
+        let time = self.clock(late).clone() + &met.delay;
         if time.compare(&self.duration)? == Greater {
             return Ok(None);
         }
@@ -150,9 +160,28 @@ impl<S: Scalar> Clocked<S> {
             feature: Feature::Disc(other as u32),
             spans: waits.map(|wait| wait + &met.delay),
             times: [time.clone(), time.clone()],
+            moments: [met.overlap.then_some(self.moments[late]); 2],
+            same_time: true,
             order: time,
             overlap: met.overlap,
         }))
+    }
+
+    /// Of two objects, one whose clock is not behind the other's.
+    fn later(&self, disc: usize, other: usize) -> Result<usize, S::Doubt> {
+        if self.moments[disc] == self.moments[other] {
+            return Ok(disc);
+        }
+        let order = self.clock(disc).compare(self.clock(other))?;
+        Ok(if order == Less { other } else { disc })
+    }
+
+    /// How long an object moves on until its clock shows what a later one does.
+    fn wait(&self, disc: usize, late: usize) -> S {
+        if self.moments[disc] == self.moments[late] {
+            return S::from_integer(0);
+        }
+        self.clock(late).clone() - self.clock(disc)
     }
 
     /// The collision of a pair that touches and approaches.
@@ -171,10 +200,14 @@ impl<S: Scalar> Clocked<S> {
             Clocks::Local => met.delay.clone(),
             Clocks::Synchronised => times[0].clone(),
         };
+        let moments = [disc, partner].map(|object| self.moments[object]);
+        let equal = || times[0].compare(&times[1]).is_ok_and(Ordering::is_eq);
         Collision {
             disc,
             feature,
             spans: [met.delay.clone(), met.delay],
+            moments: moments.map(|moment| met.overlap.then_some(moment)),
+            same_time: moments[0] == moments[1] || equal(),
             times,
             order,
             overlap: met.overlap,
@@ -183,24 +216,18 @@ impl<S: Scalar> Clocked<S> {
 }
 
 impl<S: Scalar> Collision<S> {
-    /// Whether the clocks of the two are not known to agree.
-    pub(super) fn joins_different_times(&self) -> bool {
-        !self.times[0]
-            .compare(&self.times[1])
-            .is_ok_and(Ordering::is_eq)
+    /// The names of the times that the two clocks show then, with two that
+    /// are new.
+    pub(super) fn moments(&self, new: [u64; 2]) -> [u64; 2] {
+        let [own, other] = if self.same_time { [new[0]; 2] } else { new };
+        [
+            self.moments[0].unwrap_or(own),
+            self.moments[1].unwrap_or(other),
+        ]
     }
 }
 
 /// A tangent pass is no collision.
 fn collision<S>(met: Option<Encounter<S>>) -> Option<Encounter<S>> {
     met.filter(|encounter| !encounter.graze)
-}
-
-fn later<S: Scalar>(one: &S, other: &S) -> Result<S, S::Doubt> {
-    let later = if one.compare(other)? == Less {
-        other
-    } else {
-        one
-    };
-    Ok(later.clone())
 }

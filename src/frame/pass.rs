@@ -31,6 +31,8 @@ pub(super) struct Passing<'a, S: Scalar> {
     /// Whether the object's last collision joined clocks that differ.
     askew: Vec<bool>,
     pass: u32,
+    /// How many times have been given names.
+    moments: u64,
 }
 
 impl<'a, S: Scalar> Passing<'a, S> {
@@ -46,6 +48,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
             collided: vec![false; count],
             askew: vec![false; count],
             pass: 0,
+            moments: 0,
         }
     }
 
@@ -170,7 +173,8 @@ impl<'a, S: Scalar> Passing<'a, S> {
     /// Moves the objects of a collision to it, and lets them collide.
     fn respond(&mut self, collision: &Collision<S>) -> Result<Impact<S>, S::Doubt> {
         let (disc, feature) = (collision.disc, collision.feature);
-        for (object, span, _) in self.moved(collision) {
+        for (object, side) in self.moved(collision) {
+            let span = &collision.spans[side];
             self.bodies.world.advance_disc(object, span);
         }
         let place = self.place(collision);
@@ -179,7 +183,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
         let (pair, end) = self.bodies.world.names(disc, feature);
         let [time, other_time] = &collision.times;
         let absolute = |clock: &S| self.frame.start.clone() + clock;
-        let differs = self.partner(feature).is_some() && collision.joins_different_times();
+        let differs = self.partner(feature).is_some() && !collision.same_time;
         Ok(Impact {
             time: absolute(time),
             other_time: differs.then(|| absolute(other_time)),
@@ -218,17 +222,13 @@ impl<'a, S: Scalar> Passing<'a, S> {
         }
     }
 
-    /// The objects that a collision changes, with how long each moves until
-    /// then and what its clock shows then.
-    fn moved<'c>(
-        &self,
-        collision: &'c Collision<S>,
-    ) -> impl Iterator<Item = (usize, &'c S, &'c S)> + use<'c, S> {
-        let own = (collision.disc, &collision.spans[0], &collision.times[0]);
-        let own = self.is_movable(own.0).then_some(own);
+    /// The objects that a collision changes, each with whether it is the
+    /// first or the second one.
+    fn moved(&self, collision: &Collision<S>) -> impl Iterator<Item = (usize, usize)> + use<S> {
+        let own = self.is_movable(collision.disc).then_some(collision.disc);
         let other = self.partner(collision.feature);
-        let other = other.map(|disc| (disc, &collision.spans[1], &collision.times[1]));
-        own.into_iter().chain(other)
+        let own = own.map(|disc| (disc, 0));
+        own.into_iter().chain(other.map(|disc| (disc, 1)))
     }
 
     /// The other object, if a collision changes it.
@@ -250,14 +250,17 @@ impl<'a, S: Scalar> Passing<'a, S> {
             let contacts = &mut self.bodies.world.contacts;
             contacts.join(collision.disc, collision.feature);
         }
-        for (object, _, time) in self.moved(collision) {
+        let moments = collision.moments([self.moments + 1, self.moments + 2]);
+        self.moments += 2;
+        for (object, side) in self.moved(collision) {
+            let (time, moment) = (&collision.times[side], moments[side]);
             self.modified[object] = true;
             self.collided[object] = true;
             self.askew[object] = askew;
             self.bodies.update(object);
-            self.clocked.set(object, time.clone());
+            self.clocked.set(object, time.clone(), moment);
             if let Some(bounds) = &mut self.bounds {
-                bounds.set(object, time.hull());
+                bounds.set(object, time.hull(), moment);
             }
         }
     }
@@ -269,7 +272,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
             return false;
         };
         let rests = [collision.disc, other as usize].map(|disc| self.rests_forever(disc));
-        rests == [false, false] && collision.joins_different_times()
+        rests == [false, false] && !collision.same_time
     }
 
     /// Whether the two stay where they touch until one moves on.

@@ -37,7 +37,7 @@ pub(crate) fn complete<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Ou
         ..Options::default()
     };
     let outcome = attempt(scene, algorithm, &options);
-    assert_eq!(outcome.status, Status::Complete, "{scene:?}");
+    assert_eq!(outcome.status, Status::Complete, "{algorithm:?}");
     outcome
 }
 

@@ -125,11 +125,32 @@ pub(crate) fn boxed(masses: Masses) -> impl Strategy<Value = Scene> {
         })
 }
 
-/// The same, where impacts may lose energy.
+/// A single disc among walls.
+pub(crate) fn lonely() -> impl Strategy<Value = Scene> {
+    boxed(Masses::Finite).prop_map(|scene| {
+        let first = scene.discs()[0].clone();
+        let scene = scene.to_builder().without_discs().disc(first);
+        scene.build().expect("a valid scene")
+    })
+}
+
+/// A box in which impacts may lose energy.
 pub(crate) fn lossy() -> impl Strategy<Value = Scene> {
     (boxed(Masses::Any), losses()).prop_map(|(scene, restitution)| {
         let scene = scene.to_builder().restitution(restitution);
         scene.build().expect("a valid scene")
+    })
+}
+
+/// Two discs in the open that fly towards each other, of which one may be of
+/// infinite mass.
+pub(crate) fn couple() -> impl Strategy<Value = Scene> {
+    (crowd(), 0..=2_usize).prop_map(|(mut discs, infinite)| {
+        discs.truncate(2);
+        if let Some(disc) = discs.get_mut(infinite) {
+            *disc = disc.clone().infinite_mass();
+        }
+        lasting("6").discs(discs).build().expect("a valid scene")
     })
 }
 

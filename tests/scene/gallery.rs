@@ -4,9 +4,7 @@ use super::*;
 
 #[test]
 fn every_committed_scene_loads_and_is_named_like_its_file() {
-    let files = fs::read_dir(repository().join("scenes")).expect("scenes");
-    for file in files {
-        let path = file.expect("an entry").path();
+    for path in committed_scenes() {
         let scene = Scene::read(&path).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(path.file_stem(), Some(scene.id().as_ref()));
         assert!(scene.notes().is_some(), "{}", scene.id());

@@ -6,7 +6,7 @@ use carom::scene::{Disc, Mass, Scene};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::{committed, exact, number, point, ratio};
+use super::{committed, committed_scenes, exact, number, point, ratio};
 
 /// Whether the centres are nearer than the sum of the radii.
 fn overlap(a: &Disc, b: &Disc) -> bool {
@@ -195,9 +195,8 @@ fn a_cradle_without_a_disc_to_strike_is_refused() {
 
 #[test]
 fn every_committed_scene_but_one_starts_apart() {
-    let files = std::fs::read_dir(committed("")).expect("scenes");
-    for file in files {
-        let scene = Scene::read(file.expect("an entry").path()).expect("a scene");
+    for path in committed_scenes() {
+        let scene = Scene::read(path).expect("a scene");
         if scene.id() != "figure-6-still-still" {
             assert_apart(&scene);
         }

@@ -1,0 +1,17 @@
+//! Laws of mechanics that need no oracle: what is done to a scene must be done
+//! to its run.
+
+mod common;
+
+#[path = "laws/change.rs"]
+mod change;
+#[path = "laws/conservation.rs"]
+mod conservation;
+#[path = "laws/parts.rs"]
+mod parts;
+#[path = "laws/reversal.rs"]
+mod reversal;
+#[path = "laws/scaling.rs"]
+mod scaling;
+#[path = "laws/symmetry.rs"]
+mod symmetry;
