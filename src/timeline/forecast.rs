@@ -6,7 +6,8 @@
 //! whichever of the two changed last, and no meeting is lost.
 //!
 //! Where operations are dear, [`Interval`] bounds of every meeting come
-//! first, and only those that may be the earliest are computed.
+//! first. Mostly they prove which one is the first: then its exact time is
+//! not computed before it comes true, or is to be compared with another.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
@@ -18,9 +19,15 @@ use crate::world::{Obstacle, World};
 /// The first meeting of a disc.
 #[derive(Clone, Debug)]
 pub(super) struct Forecast<S: Scalar> {
-    pub(super) meeting: Meeting<S>,
+    /// What is met.
+    pub(super) obstacle: Obstacle,
+    /// What of it is touched.
+    pub(super) feature: Feature,
     /// Binary64 bounds of the time.
     pub(super) bounds: Interval,
+    /// The meeting itself, unless bounds have sufficed so far: then it is an
+    /// impact with a delay.
+    pub(super) meeting: Option<Meeting<S>>,
     /// The partner's turn that the forecast supposes.
     partner_turn: u64,
     /// Why another meeting of the same disc could not be proven to be later.
@@ -28,19 +35,62 @@ pub(super) struct Forecast<S: Scalar> {
 }
 
 impl<S: Scalar> Forecast<S> {
-    fn new(meeting: Meeting<S>, flights: &Flights<S>) -> Self {
+    fn bounded(obstacle: Obstacle, bounds: &Meeting<Interval>, flights: &Flights<S>) -> Self {
         Self {
+            obstacle,
+            feature: bounds.feature,
+            bounds: bounds.time,
+            meeting: None,
+            partner_turn: flights.turn_of(bounds.feature),
+            contested: None,
+        }
+    }
+
+    #[inline]
+    fn computed(obstacle: Obstacle, meeting: Meeting<S>, flights: &Flights<S>) -> Self {
+        Self {
+            obstacle,
+            feature: meeting.feature,
             bounds: meeting.time.hull(),
             partner_turn: flights.turn_of(meeting.feature),
-            meeting,
+            meeting: Some(meeting),
             contested: None,
         }
     }
 
     /// Whether the partner has changed since.
+    #[inline]
     pub(super) fn is_stale(&self, flights: &Flights<S>) -> bool {
-        flights.turn_of(self.meeting.feature) != self.partner_turn
+        flights.turn_of(self.feature) != self.partner_turn
     }
+
+    /// Whether the two only pass in tangency.
+    #[inline]
+    pub(super) fn is_graze(&self) -> bool {
+        self.meeting.as_ref().is_some_and(|meeting| meeting.graze)
+    }
+
+    /// Computes the meeting of a disc, if bounds have sufficed so far.
+    pub(super) fn compute(&mut self, flights: &Flights<S>, disc: usize) -> Result<(), S::Doubt> {
+        if self.meeting.is_none() {
+            let meeting = meet(flights, disc, self.obstacle)?;
+            let meeting = meeting.expect("bounds prove that the two meet");
+            self.bounds = meeting.time.hull();
+            self.meeting = Some(meeting);
+        }
+        Ok(())
+    }
+}
+
+/// When and where a disc meets an obstacle, or which of the two is in doubt.
+#[inline]
+fn meet<S: Scalar>(
+    flights: &Flights<S>,
+    disc: usize,
+    obstacle: Obstacle,
+) -> Result<Option<Meeting<S>>, S::Doubt> {
+    let met = flights.meet(disc, obstacle);
+    met.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "meet")))
 }
 
 /// Whom a disc's forecast considers.
@@ -72,10 +122,33 @@ impl Partners {
 pub(super) struct Forecaster {
     /// The bodies' binary64 bounds, where the arithmetic wants the filter.
     bounds: Option<Flights<Interval>>,
-    /// What the filter left over, with a lower bound of the time.
-    survivors: Vec<(Obstacle, f64)>,
+    survivors: Vec<Survivor>,
     /// No meeting after this is of interest.
     horizon: f64,
+}
+
+/// What bounds have not ruled out as the first meeting of a disc.
+#[derive(Clone, Debug)]
+struct Survivor {
+    obstacle: Obstacle,
+    /// The bounds of the meeting, unless they leave it open whether there is
+    /// one.
+    meeting: Option<Meeting<Interval>>,
+}
+
+impl Survivor {
+    fn may_be_before(&self, time: f64) -> bool {
+        self.meeting
+            .as_ref()
+            .is_none_or(|meeting| meeting.time.lo() <= time)
+    }
+
+    /// The bounds, if they prove an impact with a delay.
+    fn impact(&self) -> Option<&Meeting<Interval>> {
+        self.meeting
+            .as_ref()
+            .filter(|meeting| !meeting.graze && !meeting.overlap)
+    }
 }
 
 impl Forecaster {
@@ -106,54 +179,66 @@ impl Forecaster {
         skips: impl Fn(Feature, bool) -> bool,
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
         let mut first = First::new(flights);
-        if self.bounds.is_none() {
+        let Some(bounds) = &self.bounds else {
             for obstacle in partners.of(&flights.world, disc) {
                 first.offer(disc, obstacle, self.horizon, &skips)?;
             }
             return Ok(first.finish(disc));
+        };
+        let candidates = partners.of(&flights.world, disc);
+        filter(
+            bounds,
+            disc,
+            candidates,
+            &mut self.survivors,
+            self.horizon,
+            &skips,
+        );
+        if let [Survivor { obstacle, .. }] = &self.survivors[..]
+            && let Some(meeting) = self.survivors[0].impact()
+        {
+            return Ok(Some(Forecast::bounded(*obstacle, meeting, flights)));
         }
-        let latest = self.filter(flights, disc, partners, &skips);
-        for &(obstacle, earliest) in &self.survivors {
-            if earliest <= latest {
-                first.offer(disc, obstacle, self.horizon, &skips)?;
-            }
+        for survivor in &self.survivors {
+            first.offer(disc, survivor.obstacle, self.horizon, &skips)?;
         }
         Ok(first.finish(disc))
     }
+}
 
-    /// Collects the obstacles that a disc may meet, and returns a time by
-    /// which it meets one, if nothing happens before.
-    fn filter<S: Scalar>(
-        &mut self,
-        flights: &Flights<S>,
-        disc: usize,
-        partners: Partners,
-        skips: impl Fn(Feature, bool) -> bool,
-    ) -> f64 {
-        self.survivors.clear();
-        let mut latest = self.horizon;
-        let Some(bounds) = &self.bounds else {
-            return latest;
+/// Collects the obstacles among `candidates` that a disc may meet first, and
+/// not after the horizon.
+fn filter(
+    bounds: &Flights<Interval>,
+    disc: usize,
+    candidates: impl Iterator<Item = Obstacle>,
+    survivors: &mut Vec<Survivor>,
+    horizon: f64,
+    skips: impl Fn(Feature, bool) -> bool,
+) {
+    survivors.clear();
+    // A time by which it meets something, if nothing happens before.
+    let mut latest = horizon;
+    for obstacle in candidates {
+        let meeting = match bounds.meet(disc, obstacle) {
+            Ok(None) => continue,
+            Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => continue,
+            Ok(Some(meeting)) if meeting.time.lo() > latest => continue,
+            Ok(Some(meeting)) => Some(meeting),
+            Err(_) => None,
         };
-        for obstacle in partners.of(&flights.world, disc) {
-            match bounds.meet(disc, obstacle) {
-                Ok(None) => {}
-                Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => {}
-                Ok(Some(meeting)) => {
-                    latest = latest.min(meeting.time.hi());
-                    self.survivors.push((obstacle, meeting.time.lo()));
-                }
-                Err(_) => self.survivors.push((obstacle, f64::NEG_INFINITY)),
-            }
+        if let Some(meeting) = &meeting {
+            latest = latest.min(meeting.time.hi());
         }
-        latest
+        survivors.push(Survivor { obstacle, meeting });
     }
+    survivors.retain(|survivor| survivor.may_be_before(latest));
 }
 
 /// The first of a disc's meetings among those offered so far.
 struct First<'a, S: Scalar> {
     flights: &'a Flights<S>,
-    best: Option<Forecast<S>>,
+    best: Option<(Obstacle, Meeting<S>)>,
     /// Meetings of which it is open whether they are before the best one.
     rivals: Vec<(Meeting<S>, S::Doubt)>,
 }
@@ -175,29 +260,28 @@ impl<'a, S: Scalar> First<'a, S> {
         horizon: f64,
         skips: impl Fn(Feature, bool) -> bool,
     ) -> Result<(), S::Doubt> {
-        let met = self.flights.meet(disc, obstacle);
-        let met = met.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "meet")))?;
+        let met = meet(self.flights, disc, obstacle)?;
         let Some(meeting) = met.filter(|meeting| !skips(meeting.feature, meeting.overlap)) else {
             return Ok(());
         };
         if meeting.time.hull().lo() <= horizon {
-            self.enter(disc, meeting);
+            self.enter(disc, obstacle, meeting);
         }
         Ok(())
     }
 
-    fn enter(&mut self, disc: usize, meeting: Meeting<S>) {
-        let Some(best) = &self.best else {
-            self.best = Some(Forecast::new(meeting, self.flights));
+    fn enter(&mut self, disc: usize, obstacle: Obstacle, meeting: Meeting<S>) {
+        let Some((_, best)) = &self.best else {
+            self.best = Some((obstacle, meeting));
             return;
         };
-        if best.meeting.feature == meeting.feature {
+        if best.feature == meeting.feature {
             return;
         }
-        match meeting.time.compare(&best.meeting.time) {
-            Ok(Less) => self.best = Some(Forecast::new(meeting, self.flights)),
-            Ok(Equal) if self.precedes(disc, &meeting, &best.meeting) => {
-                self.best = Some(Forecast::new(meeting, self.flights));
+        match meeting.time.compare(&best.time) {
+            Ok(Less) => self.best = Some((obstacle, meeting)),
+            Ok(Equal) if self.precedes(disc, &meeting, best) => {
+                self.best = Some((obstacle, meeting));
             }
             Ok(Equal | Greater) => {}
             Err(doubt) => self.rivals.push((meeting, doubt)),
@@ -212,15 +296,18 @@ impl<'a, S: Scalar> First<'a, S> {
 
     /// The first meeting, with the reason if a rival may still be before it.
     fn finish(self, disc: usize) -> Option<Forecast<S>> {
-        let mut best = self.best?;
-        let open =
-            |rival: &Meeting<S>| !matches!(rival.time.compare(&best.meeting.time), Ok(Greater));
+        let (obstacle, best) = self.best?;
+        let open = |rival: &Meeting<S>| !matches!(rival.time.compare(&best.time), Ok(Greater));
         let rival = self.rivals.into_iter().find(|(rival, _)| open(rival));
-        best.contested = rival.map(|(rival, doubt)| {
-            let [one, two] = [&best.meeting, &rival]
-                .map(|meeting| self.flights.world.names(disc, meeting.feature).0);
+        let contested = rival.map(|(rival, doubt)| {
+            let [one, two] =
+                [&best, &rival].map(|meeting| self.flights.world.names(disc, meeting.feature).0);
             doubt.asking(|| format!("whether {one} or {two} meet first"))
         });
-        Some(best)
+        let forecast = Forecast::computed(obstacle, best, self.flights);
+        Some(Forecast {
+            contested,
+            ..forecast
+        })
     }
 }

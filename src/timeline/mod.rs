@@ -13,17 +13,19 @@
 
 mod flight;
 mod forecast;
+mod front;
 mod nested;
+mod queue;
 
-use std::cmp::Ordering::{self, Equal, Greater, Less};
-
-use crate::body::{Disc, End, Feature, Pair};
+use crate::body::{Disc, Feature};
 use crate::impact::Impact;
-use crate::scalar::{Doubt, Scalar};
+use crate::scalar::Scalar;
 use crate::world::World;
-use flight::Flights;
+use flight::{Flights, Meeting};
 use forecast::{Forecast, Forecaster, Partners};
+use front::Candidate;
 use nested::Nested;
+use queue::Queue;
 
 /// The exact, event-driven run of a scene.
 #[derive(Clone, Debug)]
@@ -31,6 +33,11 @@ pub struct Timeline<S: Scalar> {
     flights: Flights<S>,
     forecaster: Forecaster,
     forecasts: Vec<Option<Forecast<S>>>,
+    /// The forecasts' lower bounds.
+    queue: Queue,
+    /// The discs whose forecasts may be the first, and what they come to.
+    front: Vec<usize>,
+    candidates: Vec<Candidate>,
     /// What each disc has grazed since it last changed, and the partner's
     /// turn then.
     grazed: Vec<Vec<(Feature, u64)>>,
@@ -39,12 +46,6 @@ pub struct Timeline<S: Scalar> {
     turn: u64,
     grazes: u64,
     negligible: f64,
-}
-
-/// A forecast as a candidate for the next impact.
-struct Candidate {
-    disc: usize,
-    names: (Pair, Option<End>),
 }
 
 impl<S: Scalar> Timeline<S> {
@@ -61,6 +62,9 @@ impl<S: Scalar> Timeline<S> {
             forecaster: Forecaster::new(&flights, until),
             flights,
             forecasts: vec![None; count],
+            queue: Queue::new(count),
+            front: Vec::new(),
+            candidates: Vec::new(),
             grazed: vec![Vec::new(); count],
             nested,
             now: S::from_integer(0),
@@ -81,13 +85,14 @@ impl<S: Scalar> Timeline<S> {
     /// It cannot be decided which impact is the next.
     pub fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
         while let Some(disc) = self.first(limit)? {
-            let Some(forecast) = self.forecasts[disc].take() else {
+            let Some(mut forecast) = self.forecasts[disc].take() else {
                 break;
             };
-            if forecast.meeting.graze {
-                self.pass(disc, &forecast)?;
-            } else {
-                return self.resolve(disc, forecast).map(Some);
+            forecast.compute(&self.flights, disc)?;
+            if forecast.is_graze() {
+                self.pass(disc, forecast.feature)?;
+            } else if let Some(meeting) = forecast.meeting {
+                return self.resolve(disc, meeting).map(Some);
             }
         }
         Ok(None)
@@ -115,147 +120,8 @@ impl<S: Scalar> Timeline<S> {
         discs.map(|disc| self.flights.disc_at(disc, time)).collect()
     }
 
-    /// The disc whose forecast comes true next.
-    fn first(&mut self, limit: &S) -> Result<Option<usize>, S::Doubt> {
-        let latest = limit.hull().hi();
-        loop {
-            let Some(end) = self.end_of_first(latest) else {
-                return Ok(None);
-            };
-            if self.refresh(end)? {
-                continue;
-            }
-            let first = self.choose(&self.candidates(end))?;
-            return Ok(self.is_due(first, limit)?.then_some(first));
-        }
-    }
-
-    /// The upper bound of the forecast with the least lower bound.
-    fn end_of_first(&self, latest: f64) -> Option<f64> {
-        let bounds = self.forecasts.iter().flatten().map(|next| next.bounds);
-        let first = bounds.min_by(|one, other| one.lo().total_cmp(&other.lo()))?;
-        (first.lo() <= latest).then_some(first.hi())
-    }
-
-    /// The discs whose forecasts may come true before a time.
-    fn front(&self, end: f64) -> impl Iterator<Item = (usize, &Forecast<S>)> {
-        let forecasts = self.forecasts.iter().enumerate();
-        forecasts.filter_map(move |(disc, next)| {
-            let next = next.as_ref()?;
-            (next.bounds.lo() <= end).then_some((disc, next))
-        })
-    }
-
-    /// Makes one forecast of the front anew, if one no longer holds. One that
-    /// is still contested when it may come true ends the run.
-    fn refresh(&mut self, end: f64) -> Result<bool, S::Doubt> {
-        let stale = self.front(end).find(|(disc, next)| {
-            next.is_stale(&self.flights)
-                || next.meeting.graze && self.has_grazed(*disc, next.meeting.feature)
-        });
-        if let Some((disc, _)) = stale {
-            self.forecast(disc)?;
-            return Ok(true);
-        }
-        let contested = self.front(end).find_map(|(disc, next)| {
-            let doubt = next.contested.clone()?;
-            Some((disc, doubt))
-        });
-        let Some((disc, _)) = contested else {
-            return Ok(false);
-        };
-        self.forecast(disc)?;
-        let still = self.forecasts[disc].as_ref();
-        match still.and_then(|next| next.contested.clone()) {
-            Some(doubt) => Err(doubt),
-            None => Ok(true),
-        }
-    }
-
-    /// The candidates of the front, each pair once.
-    fn candidates(&self, end: f64) -> Vec<Candidate> {
-        let mut candidates: Vec<_> = self
-            .front(end)
-            .map(|(disc, next)| Candidate {
-                disc,
-                names: self.flights.world.names(disc, next.meeting.feature),
-            })
-            .collect();
-        if candidates.len() > 1 {
-            candidates.sort_by_key(|candidate| candidate.names);
-            candidates.dedup_by_key(|candidate| candidate.names);
-        }
-        candidates
-    }
-
-    /// The candidate that comes first; of those at one time, by name.
-    fn choose(&self, candidates: &[Candidate]) -> Result<usize, S::Doubt> {
-        let mut first = &candidates[0];
-        for candidate in &candidates[1..] {
-            match self.time(candidate.disc).compare(self.time(first.disc)) {
-                Ok(Less) => first = candidate,
-                Ok(Equal | Greater) => {}
-                Err(_) => return self.choose_among_commuting(candidates),
-            }
-        }
-        Ok(first.disc)
-    }
-
-    /// A candidate that none precedes, where not every order is decided.
-    fn choose_among_commuting(&self, candidates: &[Candidate]) -> Result<usize, S::Doubt> {
-        let mut doubt = None;
-        for candidate in candidates {
-            match self.is_preceded(candidate, candidates) {
-                Ok(false) => return Ok(candidate.disc),
-                Ok(true) => {}
-                Err(open) => doubt = doubt.or(Some(open)),
-            }
-        }
-        // One is preceded by none, unless a decision is open.
-        doubt.map_or(Ok(candidates[0].disc), Err)
-    }
-
-    fn is_preceded(&self, one: &Candidate, all: &[Candidate]) -> Result<bool, S::Doubt> {
-        for other in all {
-            if one.names != other.names && self.order(other, one)? == Less {
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
-    /// The order of two candidates in time; none has to be if they commute.
-    fn order(&self, one: &Candidate, other: &Candidate) -> Result<Ordering, S::Doubt> {
-        let [first, second] = [one, other].map(|candidate| self.time(candidate.disc));
-        first.compare(second).or_else(|doubt| {
-            let commute = !one.names.0.shares_disc(&other.names.0);
-            if commute && self.is_negligible(&(first.clone() - second)) {
-                return Ok(Equal);
-            }
-            let (first, second) = (one.names.0, other.names.0);
-            Err(doubt.asking(|| format!("whether {first} or {second} meet first")))
-        })
-    }
-
-    fn is_negligible(&self, apart: &S) -> bool {
-        let apart = apart.hull();
-        -self.negligible <= apart.lo() && apart.hi() <= self.negligible
-    }
-
-    fn time(&self, disc: usize) -> &S {
-        let next = self.forecasts[disc].as_ref();
-        &next.expect("a candidate has a forecast").meeting.time
-    }
-
-    fn is_due(&self, disc: usize, limit: &S) -> Result<bool, S::Doubt> {
-        let order = self.time(disc).compare(limit);
-        let asking = || format!("whether d{disc} meets anything before the end");
-        Ok(order.map_err(|doubt| doubt.asking(asking))? != Greater)
-    }
-
     /// Notes a tangent pass, after which the disc goes on.
-    fn pass(&mut self, disc: usize, forecast: &Forecast<S>) -> Result<(), S::Doubt> {
-        let feature = forecast.meeting.feature;
+    fn pass(&mut self, disc: usize, feature: Feature) -> Result<(), S::Doubt> {
         self.grazes += 1;
         self.note_graze(disc, feature);
         if let Feature::Disc(other) = feature {
@@ -275,8 +141,7 @@ impl<S: Scalar> Timeline<S> {
     }
 
     /// Resolves an impact, and forecasts what comes of it.
-    fn resolve(&mut self, disc: usize, forecast: Forecast<S>) -> Result<Impact<S>, S::Doubt> {
-        let meeting = forecast.meeting;
+    fn resolve(&mut self, disc: usize, meeting: Meeting<S>) -> Result<Impact<S>, S::Doubt> {
         let (disc, feature) = in_order(disc, meeting.feature);
         let time = meeting.time.not_before(&self.now);
         self.turn += 1;
@@ -334,11 +199,14 @@ impl<S: Scalar> Timeline<S> {
                 !grazed.is_empty() && grazed.contains(&(feature, flights.turn_of(feature)));
             grazed || overlap && nested.holds(&flights.world, disc, feature)
         };
-        self.forecasts[disc] = if flights.world.discs[disc].is_movable() {
+        let next = if flights.world.discs[disc].is_movable() {
             self.forecaster.forecast(flights, disc, partners, skips)?
         } else {
             None
         };
+        let key = next.as_ref().map_or(f64::INFINITY, |next| next.bounds.lo());
+        self.queue.set(disc, key);
+        self.forecasts[disc] = next;
         Ok(())
     }
 }
