@@ -33,6 +33,10 @@ impl Budget {
     }
 }
 
+/// The bits that a number keeps beyond the digits asked for: what is computed
+/// from it, and how it rounds, is then as good as certain too.
+const SPARE_BITS: u32 = 64;
+
 /// An arithmetic that a user can choose.
 pub trait Arithmetic: Scalar {
     /// Its name on the command line and in the log.
@@ -66,6 +70,10 @@ pub trait Arithmetic: Scalar {
     /// arithmetic that proves nothing has no more to offer.
     fn has_digits(&self, digits: u32) -> bool;
 
+    /// The number in as little memory as so many certain decimal digits take.
+    #[must_use]
+    fn shortened(self, digits: u32) -> Self;
+
     /// The number as an exact one: for a binary64 the very number that it is.
     fn exactly(&self, bits: u32) -> Exact;
 }
@@ -76,6 +84,10 @@ impl Arithmetic for f64 {
 
     fn has_digits(&self, _: u32) -> bool {
         true
+    }
+
+    fn shortened(self, _: u32) -> Self {
+        self
     }
 
     fn first_precision(_: &Budget) {}
@@ -101,6 +113,11 @@ impl Arithmetic for Exact {
     fn has_digits(&self, digits: u32) -> bool {
         let wanted = f64::from(digits) * std::f64::consts::LOG2_10;
         self.accuracy().is_none_or(|bits| bits as f64 > wanted)
+    }
+
+    fn shortened(self, digits: u32) -> Self {
+        let bits = f64::from(digits) * std::f64::consts::LOG2_10;
+        self.shortened(bits as u32 + SPARE_BITS)
     }
 
     fn first_precision(budget: &Budget) -> u32 {

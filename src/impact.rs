@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use crate::arithmetic::Arithmetic;
 use crate::body::{Disc, End, Feature, Pair};
 use crate::respond::{Normal, collide_discs, collide_wall};
 use crate::scalar::Scalar;
@@ -24,8 +25,8 @@ pub struct Impact<S> {
     pub tie: Option<u32>,
     /// The frame and the pass in which a frame algorithm found it.
     pub step: Option<Step>,
-    /// The circumstances.
-    pub contact: Contact<S>,
+    /// The circumstances, unless they are of no interest.
+    pub contact: Option<Box<Contact<S>>>,
 }
 
 /// Where in its run a frame algorithm found an impact.
@@ -49,6 +50,34 @@ pub struct Contact<S> {
     pub velocity: Vec2<S>,
     /// The other body's velocity after the impact, unless it is a wall.
     pub other_velocity: Option<Vec2<S>>,
+}
+
+impl<S: Arithmetic> Impact<S> {
+    /// The impact in as little memory as so many digits of its numbers take.
+    pub(crate) fn shortened(self, digits: u32) -> Self {
+        let contact = self.contact.map(|contact| contact.shortened(digits));
+        Self {
+            time: self.time.shortened(digits),
+            other_time: self.other_time.map(|time| time.shortened(digits)),
+            contact: contact.map(Box::new),
+            ..self
+        }
+    }
+}
+
+impl<S: Arithmetic> Contact<S> {
+    fn shortened(self, digits: u32) -> Self {
+        let vector = |vector: Vec2<S>| {
+            let Vec2 { x, y } = vector;
+            Vec2::new(x.shortened(digits), y.shortened(digits))
+        };
+        Self {
+            normal: vector(self.normal),
+            centre: vector(self.centre),
+            velocity: vector(self.velocity),
+            other_velocity: self.other_velocity.map(vector),
+        }
+    }
 }
 
 /// Where two bodies are when they collide. A body of infinite mass that moves

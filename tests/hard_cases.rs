@@ -64,6 +64,14 @@ fn run_exactly(scene: &Scene, algorithm: Algorithm, options: &Options) -> Outcom
     .unwrap()
 }
 
+/// As many digits as the answers have.
+fn precise() -> Options {
+    Options {
+        digits: 50,
+        ..Options::default()
+    }
+}
+
 fn rational(text: &Value) -> BigRational {
     let text = text.as_str().unwrap();
     text.to_lowercase().parse::<Number>().unwrap().to_rational()
@@ -127,7 +135,7 @@ fn check_timeline(name: &str) {
     let limit = case["max_events"].as_u64();
     let options = Options {
         max_events: limit.unwrap_or(u64::MAX),
-        ..Options::default()
+        ..precise()
     };
     let outcome = run_exactly(&scene, Algorithm::Timeline, &options);
     let ended = limit.map_or(Status::Complete, |_| Status::EventLimit);
@@ -160,7 +168,7 @@ fn check_final(name: &str, scene: &Scene, expected: &Value) {
     let options = Options {
         max_events: if is_last { log.len() as u64 } else { u64::MAX },
         until: (!is_last).then_some(until),
-        ..Options::default()
+        ..precise()
     };
     let outcome = run_exactly(scene, Algorithm::Timeline, &options);
     check_discs(name, coordinates(&outcome), &expected["final"]["discs"]);
@@ -172,7 +180,7 @@ fn check_frames(name: &str, scene: &Scene, algorithm: Algorithm, frames: &Value)
         let until = i32::try_from(index + 1).unwrap();
         let options = Options {
             until: Some(Number::from(until)),
-            ..Options::default()
+            ..precise()
         };
         let outcome = run_exactly(scene, algorithm, &options);
         assert_eq!(outcome.status, Status::Complete, "{name}");

@@ -123,6 +123,7 @@ impl Arguments {
             // Bounds that are a little apart may still straddle the last
             // digit: one more makes them close enough.
             digits: self.shown_digits() + 1,
+            contacts: self.contact,
         }
     }
 
@@ -185,10 +186,6 @@ impl Arguments {
         if let Some(output) = outputs.events {
             let recorder = Recorder::new(scene, algorithm, options, outcome);
             let recorder = recorder.digits(self.shown_digits());
-            let recorder = match self.contact {
-                true => recorder.with_contacts(),
-                false => recorder,
-            };
             output.write(|writer| recorder.write(writer))?;
         }
         Ok(())

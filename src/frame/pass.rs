@@ -194,7 +194,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
                 frame: self.frame.number,
                 pass: self.pass,
             }),
-            contact,
+            contact: Some(Box::new(contact)),
         })
     }
 

@@ -62,7 +62,7 @@ fn collide_overlapping<S: Scalar>(
             end,
             tie: None,
             step: Some(step),
-            contact,
+            contact: Some(Box::new(contact)),
         });
     }
     Ok(())

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::quantity::Quantity;
 use crate::arithmetic::Arithmetic;
 use crate::body::BodyId;
-use crate::impact::Impact;
+use crate::impact::{self, Impact};
 use crate::vec2::Vec2;
 use crate::world::World;
 
@@ -28,12 +28,16 @@ pub struct Contact {
 
 impl Contact {
     /// The circumstances of an impact in a world, with so many digits.
-    pub(super) fn new<S: Arithmetic>(world: &World<S>, impact: &Impact<S>, digits: u32) -> Self {
+    pub(super) fn new<S: Arithmetic>(
+        world: &World<S>,
+        impact: &Impact<S>,
+        contact: &impact::Contact<S>,
+        digits: u32,
+    ) -> Self {
         let vector = |vector: &Vec2<S>| -> [Quantity; 2] {
             [&vector.x, &vector.y].map(|number| Quantity::new(number, digits))
         };
-        let (point, direction) = touching(world, impact);
-        let contact = &impact.contact;
+        let (point, direction) = touching(world, impact, contact);
         Self {
             point: vector(&point),
             normal: vector(&unit(&direction)),
@@ -44,10 +48,14 @@ impl Contact {
 }
 
 /// The point of contact, and the direction from the first body to the second.
-fn touching<S: Arithmetic>(world: &World<S>, impact: &Impact<S>) -> (Vec2<S>, Vec2<S>) {
-    let (centre, normal) = (&impact.contact.centre, &impact.contact.normal);
+fn touching<S: Arithmetic>(
+    world: &World<S>,
+    impact: &Impact<S>,
+    contact: &impact::Contact<S>,
+) -> (Vec2<S>, Vec2<S>) {
+    let (centre, normal) = (&contact.centre, &contact.normal);
     let wall = match impact.pair.b {
-        BodyId::Disc(_) => return (rim(world, impact), normal.clone()),
+        BodyId::Disc(_) => return (rim(world, impact.pair.a, contact), normal.clone()),
         BodyId::Wall(wall) => &world.walls[wall as usize].segment,
     };
     match impact.end {
@@ -57,9 +65,8 @@ fn touching<S: Arithmetic>(world: &World<S>, impact: &Impact<S>) -> (Vec2<S>, Ve
 }
 
 /// The point of the first disc's rim that is nearest to the second one.
-fn rim<S: Arithmetic>(world: &World<S>, impact: &Impact<S>) -> Vec2<S> {
-    let contact = &impact.contact;
-    match impact.pair.a {
+fn rim<S: Arithmetic>(world: &World<S>, first: BodyId, contact: &impact::Contact<S>) -> Vec2<S> {
+    match first {
         BodyId::Disc(disc) => {
             let radius = &world.discs[disc as usize].radius;
             contact.centre.moved(&unit(&contact.normal), radius)

@@ -31,7 +31,7 @@ pub struct Recorder<'a, S: Arithmetic> {
     options: &'a Options,
     outcome: &'a Outcome<S>,
     digits: u32,
-    /// The bodies, where contacts are to be logged.
+    /// The bodies, where the circumstances of impacts are logged.
     world: Option<World<S>>,
 }
 
@@ -41,7 +41,8 @@ struct LastLine {
 }
 
 impl<'a, S: Arithmetic> Recorder<'a, S> {
-    /// A run of a scene.
+    /// A run of a scene. The circumstances of its impacts are logged if it has
+    /// kept them.
     pub fn new(
         scene: &'a Scene,
         algorithm: Algorithm,
@@ -54,7 +55,9 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
             options,
             outcome,
             digits: MIN_DIGITS,
-            world: None,
+            world: options
+                .contacts
+                .then(|| World::new(scene, outcome.precision)),
         }
     }
 
@@ -62,16 +65,6 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
     #[must_use]
     pub fn digits(self, digits: u32) -> Self {
         Self { digits, ..self }
-    }
-
-    /// Logs the circumstances of each impact.
-    #[must_use]
-    pub fn with_contacts(self) -> Self {
-        let world = World::new(self.scene, self.outcome.precision);
-        Self {
-            world: Some(world),
-            ..self
-        }
     }
 
     /// Writes the log.
@@ -124,7 +117,7 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
         let (lo, hi) = Bounds::new(&impact.time, self.digits)
             .map(|bounds| (bounds.lo, bounds.hi))
             .unzip();
-        let world = self.world.as_ref();
+        let contact = self.world.as_ref().zip(impact.contact.as_ref());
         Event {
             n: Some(n),
             time: nearest(&impact.time),
@@ -137,7 +130,8 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
             b: impact.pair.b,
             end: impact.end,
             tie: impact.tie,
-            contact: world.map(|world| Contact::new(world, impact, self.digits)),
+            contact: contact
+                .map(|(world, contact)| Contact::new(world, impact, contact, self.digits)),
         }
     }
 

@@ -101,7 +101,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
             match timeline.next_impact(end) {
                 Err(doubt) => return Status::Undecided(doubt.into_undecided()),
                 Ok(None) => return Status::Complete,
-                Ok(Some(impact)) => self.impacts.push(impact),
+                Ok(Some(impact)) => self.note(impact),
             }
             if let ControlFlow::Break(status) = self.pause(timeline.now()) {
                 return status;
@@ -133,13 +133,21 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
 
     fn step_frame(&mut self, simulation: &mut Simulation<S>, done: u64) -> Status {
         match simulation.next_frame() {
-            Ok(impacts) => self.impacts.extend(impacts),
+            Ok(impacts) => impacts.into_iter().for_each(|impact| self.note(impact)),
             Err(doubt) => return Status::Undecided(doubt.into_undecided()),
         }
         match self.pause(&self.clock.start_of(done, self.precision)) {
             ControlFlow::Continue(()) => Status::Complete,
             ControlFlow::Break(status) => status,
         }
+    }
+
+    /// Keeps of an impact what was asked for.
+    fn note(&mut self, mut impact: Impact<S>) {
+        if !self.options.contacts {
+            impact.contact = None;
+        }
+        self.impacts.push(impact.shortened(self.options.digits));
     }
 
     /// Tells of the progress, and whether to go on.

@@ -28,6 +28,8 @@ pub struct Options {
     pub budget: Budget,
     /// The decimal digits of the times that exact arithmetic must prove.
     pub digits: u32,
+    /// Whether the circumstances of each impact are kept.
+    pub contacts: bool,
 }
 
 impl Default for Options {
@@ -37,6 +39,7 @@ impl Default for Options {
             max_events: 10_000_000,
             budget: Budget::default(),
             digits: 20,
+            contacts: false,
         }
     }
 }

@@ -63,6 +63,11 @@ impl Ball {
         self
     }
 
+    /// The ball with a midpoint of about so many bits.
+    pub(crate) fn shortened(self, bits: u32) -> Self {
+        Self::rounded(self.mid, self.rad, bits)
+    }
+
     /// A ball about an exact number.
     pub(crate) fn from_dyadic(number: Dyadic, bits: u32) -> Self {
         Self::rounded(number, Radius::ZERO, bits)

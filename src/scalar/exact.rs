@@ -65,6 +65,19 @@ impl Exact {
         }
     }
 
+    /// An enclosure of the number of about so many bits, or the number itself
+    /// where that is known exactly. What is computed from it has no more bits.
+    #[must_use]
+    pub fn shortened(self, bits: u32) -> Self {
+        Self {
+            value: match self.value {
+                Value::Ball(ball) => Value::Ball(ball.shortened(bits)),
+                exact => exact,
+            },
+            bits: self.bits.min(bits),
+        }
+    }
+
     /// The bits that a result of two operands carries.
     fn common_bits(&self, other: &Self) -> u32 {
         self.bits.max(other.bits)

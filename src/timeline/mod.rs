@@ -172,7 +172,7 @@ impl<S: Scalar> Timeline<S> {
             end,
             tie: None,
             step: None,
-            contact,
+            contact: Some(Box::new(contact)),
         })
     }
 

@@ -157,7 +157,15 @@ fn assert_turns(impacts: &[Impact<Exact>], mass: f64) {
     let angle = 2.0 * (1.0 / mass.sqrt()).atan();
     let discs = impacts.iter().filter(|impact| name(impact) == "d0 d1");
     for (impact, turns) in discs.zip(1..) {
-        let velocity = impact.contact.other_velocity.as_ref().unwrap().x.to_f64();
+        let velocity = impact
+            .contact
+            .as_ref()
+            .unwrap()
+            .other_velocity
+            .as_ref()
+            .unwrap()
+            .x
+            .to_f64();
         let expected = -(angle * f64::from(turns)).cos();
         assert_abs_diff_eq!(velocity, expected, epsilon = tolerance::SHORT_RUN);
     }

@@ -34,6 +34,7 @@ pub(crate) fn ratio(text: &str) -> BigRational {
 pub(crate) fn complete<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Outcome<S> {
     let options = Options {
         max_events: MOST_IMPACTS,
+        contacts: true,
         ..Options::default()
     };
     let outcome = attempt(scene, algorithm, &options);
