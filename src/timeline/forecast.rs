@@ -5,13 +5,15 @@
 //! comes but the partner has changed meanwhile. A pair is thus forecast by
 //! whichever of the two changed last, and no meeting is lost.
 //!
-//! Where operations are dear, [`Interval`] bounds of every meeting come
-//! first. Mostly they prove which one is the first: then its exact time is
+//! Where operations are dear, bounds come first: a [`Sweep`] drops the discs
+//! that are too far away, [`Interval`]s enclose the times of the other
+//! meetings. Mostly they prove which one is the first: then its exact time is
 //! not computed before it comes true, or is to be compared with another.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::flight::{Flights, Meeting};
+use super::sweep::Sweep;
 use crate::body::Feature;
 use crate::scalar::{Doubt, Interval, Scalar};
 use crate::world::{Obstacle, World};
@@ -121,10 +123,17 @@ impl Partners {
 #[derive(Clone, Debug)]
 pub(super) struct Forecaster {
     /// The bodies' binary64 bounds, where the arithmetic wants the filter.
-    bounds: Option<Flights<Interval>>,
+    bounds: Option<Bounds>,
     survivors: Vec<Survivor>,
     /// No meeting after this is of interest.
     horizon: f64,
+}
+
+/// The bodies in bounds, and what discs are too far apart.
+#[derive(Clone, Debug)]
+struct Bounds {
+    flights: Flights<Interval>,
+    sweep: Sweep,
 }
 
 /// What bounds have not ruled out as the first meeting of a disc.
@@ -153,19 +162,18 @@ impl Survivor {
 
 impl Forecaster {
     pub(super) fn new<S: Scalar>(flights: &Flights<S>, horizon: &S) -> Self {
+        let horizon = horizon.hull().hi();
         Self {
-            bounds: S::FILTERED.then(|| flights.hull()),
+            bounds: S::FILTERED.then(|| Bounds::new(flights.hull(), horizon)),
             survivors: Vec::new(),
-            horizon: horizon.hull().hi(),
+            horizon,
         }
     }
 
     /// Takes note of a disc that has changed.
     pub(super) fn update<S: Scalar>(&mut self, flights: &Flights<S>, disc: usize) {
         if let Some(bounds) = &mut self.bounds {
-            bounds.world.discs[disc] = flights.world.discs[disc].map(S::hull);
-            bounds.since[disc] = flights.since[disc].hull();
-            bounds.turn[disc] = flights.turn[disc];
+            bounds.update(flights, disc);
         }
     }
 
@@ -186,14 +194,7 @@ impl Forecaster {
             return Ok(first.finish(disc));
         };
         let candidates = partners.of(&flights.world, disc);
-        filter(
-            bounds,
-            disc,
-            candidates,
-            &mut self.survivors,
-            self.horizon,
-            &skips,
-        );
+        bounds.filter(disc, candidates, &mut self.survivors, &skips);
         if let [Survivor { obstacle, .. }] = &self.survivors[..]
             && let Some(meeting) = self.survivors[0].impact()
         {
@@ -206,33 +207,52 @@ impl Forecaster {
     }
 }
 
-/// Collects the obstacles among `candidates` that a disc may meet first, and
-/// not after the horizon.
-fn filter(
-    bounds: &Flights<Interval>,
-    disc: usize,
-    candidates: impl Iterator<Item = Obstacle>,
-    survivors: &mut Vec<Survivor>,
-    horizon: f64,
-    skips: impl Fn(Feature, bool) -> bool,
-) {
-    survivors.clear();
-    // A time by which it meets something, if nothing happens before.
-    let mut latest = horizon;
-    for obstacle in candidates {
-        let meeting = match bounds.meet(disc, obstacle) {
-            Ok(None) => continue,
-            Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => continue,
-            Ok(Some(meeting)) if meeting.time.lo() > latest => continue,
-            Ok(Some(meeting)) => Some(meeting),
-            Err(_) => None,
-        };
-        if let Some(meeting) = &meeting {
-            latest = latest.min(meeting.time.hi());
-        }
-        survivors.push(Survivor { obstacle, meeting });
+impl Bounds {
+    fn new(flights: Flights<Interval>, horizon: f64) -> Self {
+        let sweep = Sweep::new(&flights, horizon);
+        Self { flights, sweep }
     }
-    survivors.retain(|survivor| survivor.may_be_before(latest));
+
+    fn update<S: Scalar>(&mut self, flights: &Flights<S>, disc: usize) {
+        self.flights.world.discs[disc] = flights.world.discs[disc].map(S::hull);
+        self.flights.since[disc] = flights.since[disc].hull();
+        self.flights.turn[disc] = flights.turn[disc];
+        self.sweep.update(&self.flights, disc);
+    }
+
+    /// Collects the obstacles among `candidates` that a disc may meet first,
+    /// and not after the horizon.
+    fn filter(
+        &self,
+        disc: usize,
+        candidates: impl Iterator<Item = Obstacle>,
+        survivors: &mut Vec<Survivor>,
+        skips: impl Fn(Feature, bool) -> bool,
+    ) {
+        survivors.clear();
+        let earliest = self.flights.since[disc].lo();
+        // A time by which it meets something, if nothing happens before.
+        let mut latest = self.sweep.horizon();
+        for obstacle in candidates {
+            if let Obstacle::Disc(other) = obstacle
+                && self.sweep.are_apart(disc, other, earliest, latest)
+            {
+                continue;
+            }
+            let meeting = match self.flights.meet(disc, obstacle) {
+                Ok(None) => continue,
+                Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => continue,
+                Ok(Some(meeting)) if meeting.time.lo() > latest => continue,
+                Ok(Some(meeting)) => Some(meeting),
+                Err(_) => None,
+            };
+            if let Some(meeting) = &meeting {
+                latest = latest.min(meeting.time.hi());
+            }
+            survivors.push(Survivor { obstacle, meeting });
+        }
+        survivors.retain(|survivor| survivor.may_be_before(latest));
+    }
 }
 
 /// The first of a disc's meetings among those offered so far.

@@ -16,6 +16,7 @@ mod forecast;
 mod front;
 mod nested;
 mod queue;
+mod sweep;
 
 use crate::body::{Disc, Feature};
 use crate::impact::Impact;

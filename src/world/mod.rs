@@ -93,12 +93,13 @@ impl<S: Scalar> World<S> {
         })
     }
 
-    /// What a disc may meet in free motion.
+    /// What a disc may meet in free motion, walls first: often they bound how
+    /// far ahead it is worth to look.
     pub(crate) fn obstacles(&self, disc: usize) -> impl Iterator<Item = Obstacle> + use<'_, S> {
         let discs = (0..self.discs.len()).map(Obstacle::Disc);
         let walls = (0..self.walls.len()).map(Obstacle::Wall);
-        discs
-            .chain(walls)
+        walls
+            .chain(discs)
             .filter(move |&obstacle| !self.is_barred(disc, obstacle))
     }
 
