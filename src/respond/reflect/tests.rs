@@ -261,6 +261,39 @@ fn a_disc_without_play_is_jammed() {
 }
 
 #[test]
+fn two_squeezed_discs_are_jammed() {
+    let mut discs = vec![disc(["1", "0"], "1"), disc(["1/3", "0"], "2")];
+    let contacts = [
+        contact(0, 1, ["2", "0"]),
+        contact(0, None, ["-1", "0"]),
+        contact(1, None, ["1", "0"]),
+    ];
+    let reflection = reflect_cluster(&mut discs, &contacts, &Restitution::Elastic).unwrap();
+    assert_eq!(reflection, Reflection::Jammed);
+    assert_velocities(&discs, &[["1", "0"], ["1/3", "0"]]);
+}
+
+/// A disc of mass 100 strikes a light one that touches a wall: 31 impacts, of
+/// which 16 are between the discs. Each of those, with the bounce before it,
+/// turns (10 v, w) of the heavy and the light disc by 2α with tan α = 1/10.
+#[test]
+fn galperins_discs_touch() {
+    let mut discs = vec![disc(["0", "0"], "1"), disc(["-1", "0"], "100")];
+    let contacts = [contact(0, 1, ["2", "0"]), contact(0, None, ["-1", "0"])];
+    let reflection = reflect_cluster(&mut discs, &contacts, &Restitution::Elastic).unwrap();
+    assert_eq!(reflection, Reflection::Parted(vec![0, 1]));
+    let part = |part: i32| BigRational::new(part.into(), 101.into());
+    let zero = BigRational::zero();
+    let turned = (0..16).fold([part(101), zero.clone()], |[x, y], _| {
+        [&x * part(99) - &y * part(20), x * part(20) + y * part(99)]
+    });
+    let ten = BigRational::from_integer(10.into());
+    let [light, heavy] = [&discs[0], &discs[1]].map(|disc| plain(&disc.velocity));
+    assert_eq!(heavy, [-&turned[0], zero.clone()]);
+    assert_eq!(light, [-ten * &turned[1], zero]);
+}
+
+#[test]
 fn infinite_masses_are_not_deflected() {
     let elastic = Restitution::Elastic;
     // The row bounces off its last disc.
