@@ -6,6 +6,7 @@ use carom::scene::generate::{
     transformed,
 };
 use carom::scene::{Disc, Mass, Scene};
+use carom::symmetry::symmetries;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -322,6 +323,30 @@ fn a_disc_meets_both_walls_of_a_corner() {
     for wedge in [["0", "-1"], ["1", "0"], ["1/2", "1/2"]] {
         let error = corner(&wedge.map(number)).expect_err("no wedge");
         assert_eq!(error.place(), Some("wedge"));
+    }
+}
+
+#[test]
+fn symmetric_scenes_have_their_symmetries_everywhere() {
+    let table = [
+        (break_shot(5, &Rack::Gap(number("1/10"))), 1),
+        (break_shot(5, &Rack::Touching), 1),
+        (ring(4), 7),
+        (ring(20), 7),
+        (mirror(3, 20, 0.5), 1),
+        (corner(&["3/5", "4/5"].map(number)), 1),
+        (gas(3, 20, 0.5), 0),
+    ];
+    for (scene, expected) in table {
+        let scene = scene.expect("a scene");
+        let moved = transformed(
+            &scene,
+            &["-3/5", "4/5"].map(number),
+            &["10/3", "1"].map(number),
+        );
+        let found = symmetries(&scene);
+        assert_eq!(found.len(), expected, "{}", scene.id());
+        assert_eq!(found, symmetries(&moved.expect("a scene")));
     }
 }
 
