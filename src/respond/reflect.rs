@@ -1,7 +1,7 @@
 //! Contacts of one instant that share discs, resolved at once: generalised
 //! reflections (B. Smith, D. Kaufman, E. Vouga, R. Tamstorf, E. Grinspun:
 //! Reflections on Simultaneous Impact, ACM Transactions on Graphics 31(4),
-//! 2012).
+//! article 106, 2012).
 //!
 //! As long as contacts approach, the impulses are found that, at these
 //! contacts, take as much energy as they can ([`project`](super::project)),
@@ -21,15 +21,17 @@
 //!   have n·v* = 0 in the limit, so that the reflections at them keep the
 //!   distance from v*. It tends to zero, and so it is zero. Discs alone can
 //!   always part: let them go in proportion to their positions. Between walls
-//!   or bodies of infinite mass, discs without any play cannot; and some that
-//!   can take long, a light disc between a wall and a heavy one that touch it
+//!   or bodies of infinite mass, discs without any play cannot. Some that can
+//!   take long: a light disc between a wall and a heavy one that touch it
 //!   takes as many rounds as Galperin's count of digits of π. Rounds are
-//!   therefore counted, up to [`MAX_ROUNDS`].
+//!   therefore counted, up to [`MAX_ROUNDS`]. (On the end of such methods in
+//!   general: E. Vouga and others: All's Well That Ends Well, ACM Transactions
+//!   on Graphics 36(4), article 151, 2017.)
 //!
 //! **Losses.** To damp each round would not end: in a row of touching discs,
-//! ever smaller impulses would run to and fro. The paper blends instead, and so
-//! does this: with p₀ the nearest velocities of which *no* contact of the
-//! cluster approaches, and v' the end of the elastic rounds, the end is
+//! ever smaller impulses would run to and fro. So the two extremes are blended:
+//! with p₀ the nearest velocities of which *no* contact of the cluster
+//! approaches, and v' the end of the elastic rounds, the end is
 //! p₀ + e (v' - p₀). It is symmetric, keeps momentum, does not gain energy, and
 //! no contact approaches, since all of this holds for p₀ and for v'. The
 //! coefficient e is the least that applies to any contact that approached in

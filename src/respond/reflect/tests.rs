@@ -215,6 +215,90 @@ fn the_symmetric_break_is_enclosed() {
     }
 }
 
+/// A cue disc, d0, at the tip of a triangle of five rows of discs of radius
+/// 1: of each where it is, in steps from row to row and from disc to disc, and
+/// its mirror image.
+fn rack() -> Vec<([i32; 2], usize)> {
+    let mut places = vec![([-1, 1], 0)];
+    for row in 0..5 {
+        let first = places.len();
+        let place = |index: i32| ([row, 2 * index - row], first + (row - index) as usize);
+        places.extend((0..=row).map(place));
+    }
+    places
+}
+
+/// The cue comes along the first disc's axis, and touches it; neighbours in
+/// different rows touch, and in their row if `in_rows`.
+fn rack_contacts<S: Scalar>(steps: [S; 2], in_rows: bool) -> Vec<ClusterContact<S>> {
+    let places = rack();
+    let across = |first: usize, second: usize| {
+        let [[x1, y1], [x2, y2]] = [first, second].map(|disc| places[disc].0);
+        let [x, y] = [x2 - x1, y2 - y1];
+        let neighbours = [x, y.abs()] == [1, 1] || (in_rows && [x, y] == [0, 2]);
+        neighbours.then(|| {
+            let [step, half] = steps.clone();
+            Vec2::new(step * S::from_integer(x), half * S::from_integer(y))
+        })
+    };
+    let cue = Vec2::new(S::from_integer(2), S::from_integer(0));
+    let pairs = (1..16).flat_map(|first| (first + 1..16).map(move |second| (first, second)));
+    let pairs = pairs.filter_map(|(first, second)| Some((first, second, across(first, second)?)));
+    [(0, 1, cue)]
+        .into_iter()
+        .chain(pairs)
+        .map(|(first, second, direction)| ClusterContact {
+            first,
+            second: Some(second),
+            normal: Normal::at_overlap(direction),
+        })
+        .collect()
+}
+
+fn rack_discs<S: Scalar<Precision = P>, P: Default>() -> Vec<Disc<S>> {
+    let rest = (1..16).map(|_| disc(["0", "0"], "1"));
+    [disc(["1", "0"], "1")].into_iter().chain(rest).collect()
+}
+
+#[test]
+fn a_touching_rack_breaks_symmetrically() {
+    let before = rack_discs::<Exact, u32>();
+    let contacts = rack_contacts::<Exact>(["8/5", "6/5"].map(number), false);
+    assert_eq!(contacts.len(), 21);
+    let (after, _) = resolved(&before, &contacts, &Restitution::Elastic);
+    assert_eq!(energy(&after), energy(&before));
+    assert_eq!(momentum(&after), momentum(&before));
+    assert_parted(&after, &contacts);
+    for (disc, (_, image)) in after.iter().zip(rack()) {
+        let [x, y] = plain(&disc.velocity);
+        assert_eq!([x, -y], plain(&after[image].velocity));
+    }
+}
+
+/// Equilateral, all neighbours touch: of 31 contacts in the plane, no more
+/// than 29 can be independent.
+#[test]
+fn a_full_rack_breaks_in_binary64() {
+    let mut discs = rack_discs::<f64, ()>();
+    let contacts = rack_contacts([3_f64.sqrt(), 1.0], true);
+    assert_eq!(contacts.len(), 31);
+    let reflection = reflect_cluster(&mut discs, &contacts, &Restitution::Elastic).unwrap();
+    assert!(matches!(reflection, Reflection::Parted(_)));
+    let energy: f64 = discs.iter().map(|disc| disc.velocity.norm_squared()).sum();
+    let pushed: f64 = discs.iter().map(|disc| disc.velocity.x).sum();
+    assert!((energy - 1.0).abs() < 1e-12 && (pushed - 1.0).abs() < 1e-12);
+    assert!(
+        contacts
+            .iter()
+            .all(|contact| contact.closing(&discs) < 1e-12)
+    );
+    for (disc, (_, image)) in discs.iter().zip(rack()) {
+        let across = disc.velocity.y + discs[image].velocity.y;
+        let along = disc.velocity.x - discs[image].velocity.x;
+        assert!(across.abs() < 1e-9 && along.abs() < 1e-9, "{disc:?}");
+    }
+}
+
 fn against_walls(velocity: [&str; 2], normals: [[&str; 2]; 2]) -> (Vec<Disc<Exact>>, Reflection) {
     let mut discs = vec![disc(velocity, "3")];
     let contacts = normals.map(|normal| contact(0, None, normal));
