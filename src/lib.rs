@@ -28,6 +28,7 @@ pub mod scalar;
 pub mod scene;
 pub mod simulation;
 pub mod support;
+pub mod symmetry;
 pub mod timeline;
 pub mod vec2;
 pub mod world;

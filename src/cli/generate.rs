@@ -2,8 +2,11 @@
 
 use std::path::PathBuf;
 
-use carom::scalar::Number;
-use carom::scene::generate::{MAX_POWER, cradle, galperin, gas, table1};
+use carom::scalar::{Number, NumberError};
+use carom::scene::generate::{
+    MAX_POWER, MAX_ROWS, Rack, break_shot, corner, cradle, galperin, gas, mirror, ring, table1,
+    transformed,
+};
 use carom::scene::{Scene, SceneError};
 use clap::Subcommand;
 
@@ -15,13 +18,68 @@ use super::output::Output;
 ///
 /// The same parameters and seed give the same scene, on every platform.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:\n  carom generate gas --count 500 --seed 7 --output gas.json")]
+#[command(
+    after_help = "Examples:\n  carom generate gas --count 500 --seed 7 --output gas.json\n  \
+                  carom generate ring --count 8 --rotate 3/5,4/5 --shift 10/3"
+)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     kind: Kind,
     /// Where the scene goes; - is standard output.
     #[arg(long, global = true, value_name = "FILE", default_value = "-")]
     output: PathBuf,
+    /// A rational point of the unit circle, such as 3/5,4/5: turns the scene
+    /// about the origin by its angle, exactly.
+    #[arg(
+        long,
+        global = true,
+        value_name = "X,Y",
+        value_parser = point,
+        allow_hyphen_values = true
+    )]
+    rotate: Option<Point>,
+    /// Shifts the scene by exact numbers, after --rotate; Y is 0 if absent.
+    #[arg(
+        long,
+        global = true,
+        value_name = "X[,Y]",
+        value_parser = shift,
+        allow_hyphen_values = true
+    )]
+    shift: Option<Point>,
+}
+
+impl Arguments {
+    fn scene(&self) -> Result<Scene, SceneError> {
+        let scene = self.kind.scene()?;
+        if self.rotate.is_none() && self.shift.is_none() {
+            return Ok(scene);
+        }
+        let or =
+            |point: &Option<Point>, [x, y]: [i32; 2]| point.clone().unwrap_or([x.into(), y.into()]);
+        transformed(&scene, &or(&self.rotate, [1, 0]), &or(&self.shift, [0, 0]))
+    }
+}
+
+/// Two exact numbers, as `X,Y`.
+type Point = [Number; 2];
+
+fn point(text: &str) -> Result<Point, String> {
+    let (x, y) = text
+        .split_once(',')
+        .ok_or("expected two numbers with a comma between them")?;
+    Ok([number(x)?, number(y)?])
+}
+
+fn shift(text: &str) -> Result<Point, String> {
+    match text.contains(',') {
+        true => point(text),
+        false => Ok([number(text)?, Number::from(0)]),
+    }
+}
+
+fn number(text: &str) -> Result<Number, String> {
+    text.parse().map_err(|error: NumberError| error.to_string())
 }
 
 #[derive(Debug, Subcommand)]
@@ -73,6 +131,55 @@ enum Kind {
         #[arg(long, default_value = "0")]
         gap: Number,
     },
+    /// A cue disc into a triangle of discs: its own mirror image.
+    #[command(after_help = "Example:\n  carom generate break --rows 5 --gap 0")]
+    Break {
+        #[arg(long, default_value_t = 5, help = format!("The number of rows; at most {MAX_ROWS}"))]
+        rows: u32,
+        /// The distance between neighbours in a row, an exact number; those of
+        /// different rows are a little farther apart.
+        #[arg(long, default_value = "1/10")]
+        gap: Number,
+        /// Let neighbours of different rows touch, at the angle of the
+        /// triangle 3-4-5; those in a row are 2/5 apart.
+        #[arg(long, conflicts_with = "gap")]
+        touching: bool,
+    },
+    /// Discs on a ring that all move to its centre, with the symmetries of
+    /// the square.
+    #[command(after_help = "Example:\n  carom generate ring --count 16 --shift 10/3")]
+    Ring {
+        /// The number of discs, a multiple of 4.
+        #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=1_000_000))]
+        count: u32,
+    },
+    /// A gas and its mirror image, in one box.
+    #[command(after_help = "Example:\n  carom generate mirror --count 20 --seed 7")]
+    Mirror {
+        /// The seed of the random positions and velocities.
+        #[arg(long, default_value_t = 42)]
+        seed: u64,
+        /// The number of discs on each side.
+        #[arg(long, default_value_t = 50, value_parser = clap::value_parser!(u32).range(..=1_000_000))]
+        count: u32,
+        /// The part of the box that the discs cover.
+        #[arg(long, default_value_t = 0.3)]
+        packing: f64,
+    },
+    /// A disc into a corner between two walls, which it touches at once.
+    #[command(after_help = "Example:\n  carom generate corner --wedge 3/5,4/5")]
+    Corner {
+        /// Where the second wall goes: a rational point of the unit circle,
+        /// above the x axis, along which the first one goes.
+        #[arg(
+            long,
+            value_name = "X,Y",
+            value_parser = point,
+            allow_hyphen_values = true,
+            default_value = "0,1"
+        )]
+        wedge: Point,
+    },
 }
 
 impl Kind {
@@ -86,12 +193,21 @@ impl Kind {
             } => gas(*seed, *count, *packing),
             Self::Galperin { power } => galperin(*power),
             Self::Cradle { count, moving, gap } => cradle(*count, *moving, gap),
+            Self::Break { rows, touching, .. } if *touching => break_shot(*rows, &Rack::Touching),
+            Self::Break { rows, gap, .. } => break_shot(*rows, &Rack::Gap(gap.clone())),
+            Self::Ring { count } => ring(*count),
+            Self::Mirror {
+                seed,
+                count,
+                packing,
+            } => mirror(*seed, *count, *packing),
+            Self::Corner { wedge } => corner(wedge),
         }
     }
 }
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
-    let scene = arguments.kind.scene()?;
+    let scene = arguments.scene()?;
     Output::open(&arguments.output)?.write_text(&scene.to_json())?;
     Ok(Exit::Success)
 }

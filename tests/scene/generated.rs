@@ -1,8 +1,12 @@
 //! Scenes that are made: what they promise, checked exactly.
 
 use carom::scalar::Number;
-use carom::scene::generate::{MAX_POWER, cradle, galperin, gas, table1};
+use carom::scene::generate::{
+    MAX_POWER, MAX_ROWS, Rack, break_shot, corner, cradle, galperin, gas, mirror, ring, table1,
+    transformed,
+};
 use carom::scene::{Disc, Mass, Scene};
+use carom::symmetry::symmetries;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -191,6 +195,201 @@ fn a_cradle_without_a_disc_to_strike_is_refused() {
         let error = cradle(count, moving, &number(gap)).expect_err(place);
         assert_eq!(error.place(), Some(place));
     }
+}
+
+/// Whether a scene has the disc that `image` makes of each of its own.
+fn maps_onto_itself(scene: &Scene, image: impl Fn([BigRational; 2]) -> [BigRational; 2]) -> bool {
+    let paths = |disc: &Disc| [exact(&disc.position), exact(&disc.velocity)];
+    let all: Vec<_> = scene.discs().iter().map(paths).collect();
+    all.iter()
+        .all(|path| all.contains(&path.clone().map(&image)))
+}
+
+/// The square of the distance of two discs.
+fn distance_squared(a: &Disc, b: &Disc) -> BigRational {
+    let [ax, ay] = exact(&a.position);
+    let [bx, by] = exact(&b.position);
+    let [dx, dy] = [bx - ax, by - ay];
+    &dx * &dx + &dy * &dy
+}
+
+#[test]
+fn a_break_is_its_own_mirror_image() {
+    let racks = ["0", "1/10", "3"].map(|gap| Rack::Gap(number(gap)));
+    for rack in racks.into_iter().chain([Rack::Touching]) {
+        let scene = break_shot(5, &rack).expect("a scene");
+        assert_eq!(scene.discs().len(), 16);
+        assert_apart(&scene);
+        assert!(maps_onto_itself(&scene, |[x, y]| [x, -y]), "{rack:?}");
+        assert_eq!(exact(&scene.discs()[1].position), point("0", "0"));
+    }
+    // The first disc of the third row and its neighbours.
+    let apart = break_shot(3, &Rack::Gap(number("1/2"))).expect("a scene");
+    let [tip, second, third, last] = [1, 2, 4, 5].map(|index| &apart.discs()[index]);
+    assert_eq!(exact(&third.position), point("35/8", "-5/2"));
+    assert_eq!(distance_squared(third, last), ratio(25, 4));
+    // 65/16 of the square of 5/4.
+    assert_eq!(distance_squared(second, third), ratio(1625, 256));
+    assert_eq!(distance_squared(tip, second), ratio(1625, 256));
+    let touching = break_shot(3, &Rack::Touching).expect("a scene");
+    let [tip, second, third, last] = [1, 2, 4, 5].map(|index| &touching.discs()[index]);
+    assert_eq!(distance_squared(third, last), ratio(144, 25));
+    for (a, b) in [(tip, second), (second, third), (second, last)] {
+        assert_eq!(distance_squared(a, b), ratio(4, 1));
+    }
+}
+
+#[test]
+fn a_break_without_a_rack_is_refused() {
+    for (rows, gap, place) in [
+        (0, "1", "rows"),
+        (MAX_ROWS + 1, "1", "rows"),
+        (5, "-1", "gap"),
+    ] {
+        let error = break_shot(rows, &Rack::Gap(number(gap))).expect_err(place);
+        assert_eq!(error.place(), Some(place));
+    }
+}
+
+#[test]
+fn a_ring_has_the_symmetries_of_the_square() {
+    for count in [4, 8, 12, 16, 20, 40, 100, 104] {
+        let scene = ring(count).expect("a scene");
+        assert_eq!(scene.discs().len(), count as usize);
+        assert_apart(&scene);
+        assert!(maps_onto_itself(&scene, |[x, y]| [-y, x]));
+        assert!(maps_onto_itself(&scene, |[x, y]| [x, -y]));
+        let scale = ratio(count.into(), 1);
+        for disc in scene.discs() {
+            let [x, y] = exact(&disc.position);
+            assert_eq!(&x * &x + &y * &y, &scale * &scale);
+            assert_eq!(exact(&disc.velocity), [-x / &scale, -y / &scale]);
+        }
+    }
+    for count in [0, 1, 6, 42] {
+        assert_eq!(ring(count).expect_err("no ring").place(), Some("count"));
+    }
+}
+
+#[test]
+fn a_mirrored_gas_is_its_own_image() {
+    let scene = mirror(3, 20, 0.5).expect("a scene");
+    let half = gas(3, 20, 0.5).expect("a scene");
+    assert_eq!(scene.discs()[..20], *half.discs());
+    assert_apart(&scene);
+    assert!(maps_onto_itself(&scene, |[x, y]| [-x, y]));
+    for (disc, image) in scene.discs().iter().zip(&scene.discs()[20..]) {
+        let [x, y] = exact(&disc.position);
+        assert_eq!(exact(&image.position), [-x, y]);
+    }
+    let [side, height] = exact(&half.walls()[2].from);
+    let [left, right] = [&scene.walls()[0].from, &scene.walls()[2].from].map(exact);
+    assert_eq!(left, [-&side, BigRational::zero()]);
+    assert_eq!(right, [side, height]);
+}
+
+/// After so much time, the disc touches both walls.
+#[test]
+fn a_disc_meets_both_walls_of_a_corner() {
+    for wedge in [
+        ["0", "1"],
+        ["3/5", "4/5"],
+        ["-4/5", "3/5"],
+        ["-20/29", "21/29"],
+    ] {
+        let scene = corner(&wedge.map(number)).expect("a scene");
+        let [disc] = scene.discs() else {
+            panic!("one disc");
+        };
+        let [x, y] = exact(&disc.position);
+        let [vx, vy] = exact(&disc.velocity);
+        let centre = [x + vx, y + vy];
+        for wall in scene.walls() {
+            assert_eq!(exact(&wall.from), point("0", "0"));
+            let [ex, ey] = exact(&wall.to);
+            let length_squared = &ex * &ex + &ey * &ey;
+            let area = &centre[0] * &ey - &centre[1] * &ex;
+            assert_eq!(&area * &area, length_squared, "a radius away");
+            let along = &centre[0] * &ex + &centre[1] * &ey;
+            assert!(
+                along.is_positive() && along < length_squared,
+                "within the wall"
+            );
+        }
+        let ends = scene.walls().iter().map(|wall| exact(&wall.to));
+        let lengths: Vec<_> = ends.map(|[x, y]| &x * &x + &y * &y).collect();
+        assert_eq!(lengths[0], lengths[1]);
+    }
+    for wedge in [["0", "-1"], ["1", "0"], ["1/2", "1/2"]] {
+        let error = corner(&wedge.map(number)).expect_err("no wedge");
+        assert_eq!(error.place(), Some("wedge"));
+    }
+}
+
+#[test]
+fn symmetric_scenes_have_their_symmetries_everywhere() {
+    let table = [
+        (break_shot(5, &Rack::Gap(number("1/10"))), 1),
+        (break_shot(5, &Rack::Touching), 1),
+        (ring(4), 7),
+        (ring(20), 7),
+        (mirror(3, 20, 0.5), 1),
+        (corner(&["3/5", "4/5"].map(number)), 1),
+        (gas(3, 20, 0.5), 0),
+    ];
+    for (scene, expected) in table {
+        let scene = scene.expect("a scene");
+        let moved = transformed(
+            &scene,
+            &["-3/5", "4/5"].map(number),
+            &["10/3", "1"].map(number),
+        );
+        let found = symmetries(&scene);
+        assert_eq!(found.len(), expected, "{}", scene.id());
+        assert_eq!(found, symmetries(&moved.expect("a scene")));
+    }
+}
+
+#[test]
+fn a_scene_elsewhere_is_the_same_scene() {
+    let scene = Scene::builder("here")
+        .disc(Disc::at([5, 10], 1).velocity(["1", "1/3"]).mass(7))
+        .wall([0, 0], [0.5, -1.0])
+        .gravity([0, -5])
+        .build()
+        .expect("a scene");
+    let moved = transformed(
+        &scene,
+        &["3/5", "4/5"].map(number),
+        &["10/3", "0"].map(number),
+    );
+    let moved = moved.expect("a scene");
+    let disc = &moved.discs()[0];
+    assert_eq!(exact(&disc.position), point("-5/3", "10"));
+    assert_eq!(exact(&disc.velocity), point("1/3", "1"));
+    assert_eq!(disc.mass, scene.discs()[0].mass);
+    assert_eq!(exact(&moved.walls()[0].from), point("10/3", "0"));
+    assert_eq!(exact(&moved.walls()[0].to), point("133/30", "-1/5"));
+    assert_eq!(
+        moved.effects().gravity.as_ref().map(exact),
+        Some(point("4", "-3"))
+    );
+    let still = transformed(&scene, &[1, 0].map(number), &[0, 0].map(number));
+    assert_eq!(still.expect("a scene"), scene, "as it was written");
+    let error = transformed(&scene, &["3/5", "3/5"].map(number), &[0, 0].map(number));
+    assert_eq!(error.expect_err("no turn").place(), Some("rotate"));
+}
+
+#[test]
+fn a_cell_is_shifted_but_not_turned() {
+    let scene = Scene::builder("cell").periodic([0, 0], [10, 10]).build();
+    let scene = scene.expect("a scene");
+    let moved = transformed(&scene, &[1, 0].map(number), &["1/3", "-1"].map(number));
+    let cell = moved.expect("a scene").periodic().cloned().expect("a cell");
+    assert_eq!(exact(&cell.from), point("1/3", "-1"));
+    assert_eq!(exact(&cell.to), point("31/3", "9"));
+    let error = transformed(&scene, &[0, 1].map(number), &[0, 0].map(number));
+    assert_eq!(error.expect_err("no turn").place(), Some("rotate"));
 }
 
 #[test]

@@ -11,12 +11,20 @@
 //!
 //! At a contact n·n is R² by construction. Exact arithmetic uses that; where
 //! results round, the computed n·n conserves energy better.
+//!
+//! Contacts of one instant that share discs can also be resolved together:
+//! see [`reflect_cluster`].
+
+mod project;
+mod reflect;
 
 use std::cmp::Ordering::Less;
 
 use crate::body::{Disc, Mass};
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
+
+pub use reflect::{ClusterContact, MAX_ROUNDS, Reflection, reflect_cluster};
 
 /// How much of the motion an impact keeps.
 #[derive(Clone, Debug)]
