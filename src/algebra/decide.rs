@@ -1,0 +1,162 @@
+//! The sign of a number that its enclosure does not tell.
+//!
+//! The cheapest proof first: see the [module](super) for their order.
+
+use std::cmp::Ordering::{self, Equal};
+
+use super::ascent::Ascent;
+use super::bound::separation_bits;
+use super::build::Normal;
+use super::evaluate::{self, bits_of_zero};
+use super::expression::Expression;
+use super::graph::NoForm;
+use super::limits::Limits;
+use super::tower::Stop;
+use crate::scalar::{Exact, Scalar, Undecided};
+
+/// The bits up to which an evaluation costs less than a tower.
+const CHEAP_BITS: u64 = 2048;
+
+/// The bits that an evaluation takes beyond those of its result, at first.
+const GUARD_BITS: u64 = 64;
+
+/// The sign, proven.
+pub(super) fn sign(number: &Expression) -> Result<Ordering, Undecided> {
+    let limits = number.limits();
+    let normal = Normal::of(number, limits.bits).map_err(|why| no_form(why, limits.bits))?;
+    let sign = Question::new(&normal, limits).answer()?;
+    settle(&normal, sign);
+    Ok(sign)
+}
+
+/// Remembers what the form alone tells of every number on the way.
+fn settle(normal: &Normal<'_>, sign: Ordering) {
+    for (node, form) in &normal.nodes {
+        if form.term.is_none() {
+            node.settle(form.factor.clone());
+        }
+    }
+    if let (Equal, Some((goal, _))) = (sign, normal.nodes.last()) {
+        goal.settle(num_rational::BigRational::default());
+    }
+}
+
+fn no_form(why: NoForm, bits: u32) -> Undecided {
+    let question = match why {
+        NoForm::Undefined => "the sign of a quotient by zero, or of the root of a negative number",
+        NoForm::TooLong => "the sign of a number made of rationals too long to compute with",
+    };
+    Undecided::new(bits, question)
+}
+
+/// One decision.
+struct Question<'a> {
+    normal: &'a Normal<'a>,
+    /// The terms that the number is made of.
+    needed: Vec<usize>,
+    limits: Limits,
+    /// The number is zero or at least 2^-bound.
+    bound: Option<u64>,
+    /// The most bits of an evaluation so far.
+    tried: u32,
+}
+
+impl<'a> Question<'a> {
+    fn new(normal: &'a Normal<'a>, limits: Limits) -> Self {
+        let needed = normal.graph.needed(&normal.goal);
+        let bound = separation_bits(&normal.graph, &needed, &normal.goal);
+        Self {
+            normal,
+            needed,
+            limits,
+            bound,
+            tried: limits.bits,
+        }
+    }
+
+    fn answer(&mut self) -> Result<Ordering, Undecided> {
+        if let Some(sign) = self.normal.graph.sign(&self.normal.goal) {
+            return Ok(sign);
+        }
+        if let Some(sign) = self.approach(CHEAP_BITS) {
+            return Ok(sign);
+        }
+        match self.is_zero_in_tower() {
+            Ok(true) => Ok(Equal),
+            Err(Stop::Undefined) => Err(no_form(NoForm::Undefined, self.tried)),
+            Ok(false) => self.approach(self.most_bits()).ok_or_else(|| self.open()),
+            Err(Stop::Budget) => self.by_bound().ok_or_else(|| self.open()),
+        }
+    }
+
+    /// Evaluates with more and more bits, until the sign shows or the bound
+    /// proves that there is none.
+    fn approach(&mut self, most: u64) -> Option<Ordering> {
+        let enough = self.bound.map_or(u64::MAX, |bound| bound + GUARD_BITS);
+        while u64::from(self.tried) < most {
+            let bits = (2 * u64::from(self.tried)).max(enough.min(most)).min(most);
+            let sign = self.evaluate(bits)?;
+            if sign.is_some() {
+                return sign;
+            }
+        }
+        None
+    }
+
+    /// Whether the number is zero, by its coefficients in a tower.
+    fn is_zero_in_tower(&self) -> Result<bool, Stop> {
+        let (ascent, end) = Ascent::of(&self.normal.graph, &self.needed, self.limits);
+        for (node, form) in &self.normal.nodes {
+            let element = ascent.element(form);
+            if let Some(value) = element.and_then(|element| element.to_rational()) {
+                node.settle(value);
+            }
+        }
+        end?;
+        // All terms were reached.
+        let element = ascent.element(&self.normal.goal).ok_or(Stop::Budget)?;
+        Ok(element.is_zero())
+    }
+
+    /// Evaluates with as many bits as the separation bound asks for.
+    fn by_bound(&mut self) -> Option<Ordering> {
+        let bound = self.bound?;
+        if bound > self.limits.bound_bits.into() {
+            return None;
+        }
+        self.approach(self.most_bits())
+    }
+
+    /// Twice what a bound may ask for: operations that cancel lose bits.
+    fn most_bits(&self) -> u64 {
+        2 * u64::from(self.limits.bound_bits)
+    }
+
+    /// One evaluation: the sign, if it shows; nothing at all past the budget.
+    fn evaluate(&mut self, bits: u64) -> Option<Option<Ordering>> {
+        let bits = u32::try_from(bits).ok()?;
+        let work = u64::from(bits) * self.needed.len() as u64;
+        if work > self.limits.work {
+            return None;
+        }
+        self.tried = self.tried.max(bits);
+        let Normal { graph, goal, .. } = self.normal;
+        let value = evaluate::number(graph, &self.needed, goal, bits);
+        Some(self.sign_of(&value))
+    }
+
+    fn sign_of(&self, value: &Exact) -> Option<Ordering> {
+        let is_zero = || {
+            let bound = i64::try_from(self.bound?).ok()?;
+            (bits_of_zero(value)? >= bound).then_some(Equal)
+        };
+        value.sign().ok().or_else(is_zero)
+    }
+
+    fn open(&self) -> Undecided {
+        Undecided {
+            bound: self.bound,
+            ..Undecided::sign(self.tried)
+        }
+    }
+}
