@@ -99,10 +99,19 @@ impl Sizes {
     }
 }
 
-/// The binary logarithm in sixteenths, rounded up, and not below zero.
+/// The binary logarithm in sixteenths, rounded up, and not below zero; of
+/// what is too large to take powers of, more roughly.
 fn sixteenths(bound: Radius) -> Option<u64> {
+    if bound.is_unknown() {
+        return None;
+    }
     let power = (0..4).fold(bound, |square, _| square.mul(square));
-    (!power.is_unknown()).then(|| power.top().max(0) as u64)
+    let log = if power.is_unknown() {
+        16 * bound.top()
+    } else {
+        power.top()
+    };
+    u64::try_from(log.max(0)).ok()
 }
 
 /// Some n such that a number made of these terms is zero or at least 2^-n in

@@ -1,6 +1,8 @@
 //! Enclosures of a normal form to any number of bits, in one sweep over its
 //! terms.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -35,8 +37,16 @@ pub(super) fn term<'a>(term: &Term, value: impl Fn(usize) -> &'a Exact, bits: u3
             }),
         Term::Root { factor, of } => {
             let factor = whole(factor, bits);
-            of.map_or(factor.clone(), |of| factor * value(of)).sqrt()
+            root(of.map_or(factor.clone(), |of| factor * value(of)))
         }
+    }
+}
+
+/// Nothing is known about the root of a negative number.
+fn root(radicand: Exact) -> Exact {
+    match radicand.sign() {
+        Ok(Ordering::Less) => Exact::from_integer(1) / Exact::from_integer(0),
+        _ => radicand.sqrt(),
     }
 }
 
@@ -55,7 +65,7 @@ fn power(base: &Exact, exponent: i64, bits: u32) -> Exact {
             result = result * &square;
         }
         rest /= 2;
-        if !rest.is_zero() {
+        if rest > 0 {
             square = square.square();
         }
     }

@@ -57,7 +57,7 @@ impl Default for Limits {
             bits: 256,
             bound_bits: 1 << 17,
             radicals: 8,
-            element_bits: 1 << 18,
+            element_bits: 1 << 20,
             work: 1 << 26,
         }
     }

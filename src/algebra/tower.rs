@@ -15,7 +15,7 @@ use super::element::{Coefficients, Element, add_to, content, is_zero};
 use super::evaluate::whole;
 use super::limits::Limits;
 use super::modular::Embedding;
-use super::rational::split_square;
+use super::rational::{rational_root, split_square};
 use crate::scalar::{Exact, Scalar};
 
 /// Why a number is not found in a tower.
@@ -158,12 +158,25 @@ impl Tower {
             Ordering::Equal => return Ok(x.clone()),
             Ordering::Greater => {}
         }
+        if let Some(root) = self.known_radical(x) {
+            return Ok(root);
+        }
         let Some(root) = self.square_root(x)? else {
             return self.adjoin(x);
         };
         Ok(match self.sign(&root)? {
             Ordering::Less => root.negated(),
             _ => root,
+        })
+    }
+
+    /// The root of a positive number that is a rational square times a
+    /// radicand: the same impact seen twice has the same one.
+    fn known_radical(&self, x: &Element) -> Option<Element> {
+        (0..self.height()).find_map(|level| {
+            let ratio = ratio_of(x, &self.radicands[level])?;
+            let radical = Element::whole(BigInt::one()).times_radical(level);
+            Some(radical.scaled(&rational_root(&ratio)?))
         })
     }
 
@@ -217,6 +230,15 @@ fn evaluate(coefficients: &[BigInt], roots: &[Exact], bits: u32) -> Exact {
     let (low, high) = coefficients.split_at(coefficients.len() / 2);
     let root = &roots[low.len().trailing_zeros() as usize];
     evaluate(low, roots, bits) + evaluate(high, roots, bits) * root
+}
+
+/// The rational that a number not zero is of another one, if it is one.
+fn ratio_of(x: &Element, other: &[BigInt]) -> Option<BigRational> {
+    let place = x.numerator.iter().position(|n| !n.is_zero())?;
+    let (n, m) = (&x.numerator[place], &other[place]);
+    let pairs = || x.numerator.iter().zip(other);
+    let proportional = x.numerator.len() == other.len() && pairs().all(|(a, b)| a * m == b * n);
+    (proportional && !m.is_zero()).then(|| BigRational::new(n.clone(), m * &x.denominator))
 }
 
 /// low + high√d, where √d has `half` coefficients below.
