@@ -4,11 +4,13 @@
 
 use std::cmp::Ordering::{self, Equal};
 
+use num_rational::BigRational;
+
 use super::ascent::Ascent;
 use super::bound::separation_bits;
 use super::build::Normal;
 use super::evaluate::{self, bits_of_zero};
-use super::expression::Expression;
+use super::expression::{Expression, Operation};
 use super::graph::NoForm;
 use super::limits::Limits;
 use super::tower::Stop;
@@ -29,7 +31,8 @@ pub(super) fn sign(number: &Expression) -> Result<Ordering, Undecided> {
     Ok(sign)
 }
 
-/// Remembers what the form alone tells of every number on the way.
+/// Remembers what the form alone tells of every number on the way, and what
+/// it means that the last of them is zero.
 fn settle(normal: &Normal<'_>, sign: Ordering) {
     for (node, form) in &normal.nodes {
         if form.term.is_none() {
@@ -37,7 +40,20 @@ fn settle(normal: &Normal<'_>, sign: Ordering) {
         }
     }
     if let (Equal, Some((goal, _))) = (sign, normal.nodes.last()) {
-        goal.settle(num_rational::BigRational::default());
+        settle_zero(goal);
+    }
+}
+
+/// A number is zero; where it is the sum of another and a rational, that other
+/// one is rational too.
+fn settle_zero(zero: &Expression) {
+    zero.settle(BigRational::default());
+    if let Operation::Add(a, b) = zero.operation() {
+        for (part, rest) in [(a, b), (b, a)] {
+            if let Some(value) = rest.rational() {
+                part.settle(-value);
+            }
+        }
     }
 }
 

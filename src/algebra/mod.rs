@@ -57,3 +57,6 @@ mod tower;
 
 pub use expression::Expression;
 pub use limits::Limits;
+
+#[cfg(test)]
+mod tests;

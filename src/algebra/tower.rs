@@ -235,10 +235,12 @@ fn evaluate(coefficients: &[BigInt], roots: &[Exact], bits: u32) -> Exact {
 /// The rational that a number not zero is of another one, if it is one.
 fn ratio_of(x: &Element, other: &[BigInt]) -> Option<BigRational> {
     let place = x.numerator.iter().position(|n| !n.is_zero())?;
-    let (n, m) = (&x.numerator[place], &other[place]);
-    let pairs = || x.numerator.iter().zip(other);
-    let proportional = x.numerator.len() == other.len() && pairs().all(|(a, b)| a * m == b * n);
-    (proportional && !m.is_zero()).then(|| BigRational::new(n.clone(), m * &x.denominator))
+    let (n, m) = (&x.numerator[place], other.get(place)?);
+    let proportional = |(a, b): (&BigInt, &BigInt)| a * m == b * n;
+    let same = x.numerator.len() == other.len()
+        && !m.is_zero()
+        && x.numerator.iter().zip(other).all(proportional);
+    same.then(|| BigRational::new(n.clone(), m * &x.denominator))
 }
 
 /// low + high√d, where √d has `half` coefficients below.
