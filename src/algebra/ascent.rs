@@ -1,6 +1,7 @@
 //! From the normal form into a tower that grows with it.
 
 use num_bigint::BigInt;
+use num_rational::BigRational;
 
 use super::element::Element;
 use super::graph::{Graph, Multiple, Term};
@@ -21,20 +22,37 @@ impl Ascent {
             tower: Tower::new(limits),
             elements: vec![None; graph.terms().len()],
         };
+        let mut work = 0;
         let end = needed.iter().try_for_each(|&place| {
             let element = ascent.climb(&graph.terms()[place])?;
+            work += element.bits();
             ascent.elements[place] = Some(element);
-            Ok(())
+            if work > limits.work {
+                Err(Stop::Budget)
+            } else {
+                Ok(())
+            }
         });
         (ascent, end)
     }
 
-    /// The element that a number is, if its term was reached.
-    pub(super) fn element(&self, number: &Multiple) -> Option<Element> {
+    /// The element that a number is a multiple of, if its term was reached.
+    fn term(&self, number: &Multiple) -> Option<&Element> {
+        self.elements[number.term?].as_ref()
+    }
+
+    /// Whether a number is zero, if its term was reached.
+    pub(super) fn is_zero(&self, number: &Multiple) -> Option<bool> {
         match number.term {
-            None => Some(Element::rational(&number.factor)),
-            Some(term) => Some(self.elements[term].as_ref()?.scaled(&number.factor)),
+            None => Some(number.is_zero()),
+            Some(_) => self.term(number).map(Element::is_zero),
         }
+    }
+
+    /// The rational that a number of a term is, where the tower shows it.
+    pub(super) fn rational(&self, number: &Multiple) -> Option<BigRational> {
+        let value = self.term(number)?.to_rational()?;
+        Some(value * &number.factor)
     }
 
     fn climb(&mut self, term: &Term) -> Result<Element, Stop> {

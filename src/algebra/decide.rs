@@ -94,44 +94,50 @@ impl<'a> Question<'a> {
         if let Some(sign) = self.normal.graph.sign(&self.normal.goal) {
             return Ok(sign);
         }
-        if let Some(sign) = self.approach(CHEAP_BITS) {
+        if let Some(sign) = self.approach(self.enough(), CHEAP_BITS) {
             return Ok(sign);
         }
         match self.is_zero_in_tower() {
             Ok(true) => Ok(Equal),
             Err(Stop::Undefined) => Err(no_form(NoForm::Undefined, self.tried)),
-            Ok(false) => self.approach(self.most_bits()).ok_or_else(|| self.open()),
+            Ok(false) => self
+                .approach(0, self.most_bits())
+                .ok_or_else(|| self.open()),
             Err(Stop::Budget) => self.by_bound().ok_or_else(|| self.open()),
         }
     }
 
-    /// Evaluates with more and more bits, until the sign shows or the bound
-    /// proves that there is none.
-    fn approach(&mut self, most: u64) -> Option<Ordering> {
-        let enough = self.bound.map_or(u64::MAX, |bound| bound + GUARD_BITS);
-        while u64::from(self.tried) < most {
-            let bits = (2 * u64::from(self.tried)).max(enough.min(most)).min(most);
+    /// Evaluates with so many bits at first, then twice as many, until the
+    /// sign shows or the bound proves that there is none.
+    fn approach(&mut self, first: u64, most: u64) -> Option<Ordering> {
+        let mut bits = first.max(2 * u64::from(self.tried)).min(most);
+        while bits > self.tried.into() {
             let sign = self.evaluate(bits)?;
             if sign.is_some() {
                 return sign;
             }
+            bits = (2 * bits).min(most);
         }
         None
+    }
+
+    /// The bits that should be enough for the bound.
+    fn enough(&self) -> u64 {
+        self.bound
+            .map_or(u64::MAX, |bound| bound.saturating_add(GUARD_BITS))
     }
 
     /// Whether the number is zero, by its coefficients in a tower.
     fn is_zero_in_tower(&self) -> Result<bool, Stop> {
         let (ascent, end) = Ascent::of(&self.normal.graph, &self.needed, self.limits);
         for (node, form) in &self.normal.nodes {
-            let element = ascent.element(form);
-            if let Some(value) = element.and_then(|element| element.to_rational()) {
+            if let Some(value) = ascent.rational(form) {
                 node.settle(value);
             }
         }
         end?;
         // All terms were reached.
-        let element = ascent.element(&self.normal.goal).ok_or(Stop::Budget)?;
-        Ok(element.is_zero())
+        ascent.is_zero(&self.normal.goal).ok_or(Stop::Budget)
     }
 
     /// Evaluates with as many bits as the separation bound asks for.
@@ -140,7 +146,7 @@ impl<'a> Question<'a> {
         if bound > self.limits.bound_bits.into() {
             return None;
         }
-        self.approach(self.most_bits())
+        self.approach(self.enough(), self.most_bits())
     }
 
     /// Twice what a bound may ask for: operations that cancel lose bits.

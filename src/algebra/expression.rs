@@ -9,12 +9,9 @@
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 use std::fmt;
 use std::mem;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::{Arc, OnceLock};
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
 
 use super::decide;
 use super::limits::Limits;
@@ -65,15 +62,10 @@ pub(super) enum Operation {
     Root(Expression),
 }
 
-/// The bits of two rationals, together, up to which they are computed with
-/// at once. Beyond, operations are only recorded.
-const FOLDED_BITS: u64 = 1 << 14;
-
 impl Expression {
     /// A fraction in lowest terms.
     pub fn from_rational(value: BigRational, limits: Limits) -> Self {
-        let enclosure = Exact::from_rational(value.clone(), limits.bits);
-        Self::new(Operation::Rational(value), enclosure, limits)
+        Self::record(Operation::Rational(value), limits)
     }
 
     /// The rational that this is, where that is known.
@@ -84,7 +76,9 @@ impl Expression {
         }
     }
 
-    fn new(operation: Operation, enclosure: Exact, limits: Limits) -> Self {
+    /// A new node.
+    pub(super) fn record(operation: Operation, limits: Limits) -> Self {
+        let enclosure = operation.enclosure(limits.bits);
         Self(Arc::new(Node {
             operation,
             enclosure,
@@ -94,17 +88,22 @@ impl Expression {
         }))
     }
 
-    fn undefined(limits: Limits) -> Self {
-        let anything = Exact::from_integer(1) / Exact::from_integer(0);
-        Self::new(Operation::Undefined, anything, limits)
-    }
-
     pub(super) fn operation(&self) -> &Operation {
         &self.0.operation
     }
 
+    /// The limits that the number carries.
+    pub(super) fn own_limits(&self) -> Limits {
+        self.0.limits
+    }
+
+    /// The limits of a decision.
     pub(super) fn limits(&self) -> Limits {
         self.0.limits.or_default()
+    }
+
+    pub(super) fn is_same_node(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
     }
 
     /// What tells this node from all others while it lives.
@@ -125,77 +124,12 @@ impl Expression {
             .or_else(|| self.0.enclosure.sign().ok())
     }
 
-    fn is_known_nonzero(&self) -> bool {
-        self.known_sign().is_some_and(Ordering::is_ne)
-    }
-
-    fn is(&self, value: i32) -> bool {
-        let value = BigInt::from(value);
-        self.rational()
-            .is_some_and(|r| r.is_integer() && *r.numer() == value)
-    }
-
-    fn is_same_node(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-
-    /// Whether one is recorded as the other with its sign turned.
-    fn is_opposite_of(&self, other: &Self) -> bool {
-        let turned = |a: &Self, b: &Self| match a.operation() {
-            Operation::Negate(inner) => inner.is_same_node(b),
-            _ => false,
-        };
-        turned(self, other) || turned(other, self)
-    }
-
-    fn joined_limits(&self, other: &Self) -> Limits {
-        self.0.limits.joined(other.0.limits)
-    }
-
-    /// Both numbers, if they are rational and short enough to compute with.
-    fn short_rationals<'a>(&'a self, other: &'a Self) -> Option<[&'a BigRational; 2]> {
-        let pair = [self.rational()?, other.rational()?];
-        let length = |r: &BigRational| r.numer().bits() + r.denom().bits();
-        (pair.iter().map(|r| length(r)).sum::<u64>() <= FOLDED_BITS).then_some(pair)
-    }
-
-    /// A rational result of rational operands.
-    fn folded(
-        &self,
-        other: &Self,
-        operation: impl FnOnce(&BigRational, &BigRational) -> BigRational,
-    ) -> Option<Self> {
-        let [a, b] = self.short_rationals(other)?;
-        Some(Self::from_rational(
-            operation(a, b),
-            self.joined_limits(other),
-        ))
-    }
-
-    fn record_add(self, other: &Self) -> Self {
-        let (limits, enclosure) = (
-            self.joined_limits(other),
-            self.0.enclosure.clone() + &other.0.enclosure,
-        );
-        Self::new(Operation::Add(self, other.clone()), enclosure, limits)
-    }
-
-    fn record_multiply(self, other: &Self) -> Self {
-        let limits = self.joined_limits(other);
-        let enclosure = if self.is_same_node(other) {
-            self.0.enclosure.square()
-        } else {
-            self.0.enclosure.clone() * &other.0.enclosure
-        };
-        Self::new(Operation::Multiply(self, other.clone()), enclosure, limits)
-    }
-
-    fn record_divide(self, other: &Self) -> Self {
-        let (limits, enclosure) = (
-            self.joined_limits(other),
-            self.0.enclosure.clone() / &other.0.enclosure,
-        );
-        Self::new(Operation::Divide(self, other.clone()), enclosure, limits)
+    /// The enclosure, or the rational that the number was proven to be since.
+    fn best_enclosure(&self, bits: u32) -> Exact {
+        match self.0.rational.get() {
+            Some(value) => Exact::from_rational(value.clone(), bits),
+            None => self.0.enclosure.clone(),
+        }
     }
 
     /// |x| for x², where the sign of x is known.
@@ -257,15 +191,13 @@ impl Scalar for Expression {
     fn sqrt(&self) -> Self {
         let limits = self.0.limits;
         if self.known_sign() == Some(Less) {
-            return Self::undefined(limits);
+            return Self::record(Operation::Undefined, limits);
         }
         if let Some(root) = self.rational().and_then(rational_root) {
             return Self::from_rational(root, limits);
         }
-        self.root_of_square().unwrap_or_else(|| {
-            let enclosure = self.0.enclosure.sqrt();
-            Self::new(Operation::Root(self.clone()), enclosure, limits)
-        })
+        let root = || Self::record(Operation::Root(self.clone()), limits);
+        self.root_of_square().unwrap_or_else(root)
     }
 
     fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
@@ -294,109 +226,21 @@ impl Scalar for Expression {
     }
 }
 
-impl Add<&Self> for Expression {
-    type Output = Self;
-
-    fn add(self, other: &Self) -> Self {
-        if let Some(sum) = self.folded(other, |a, b| a + b) {
-            return sum;
-        }
-        if self.is(0) {
-            return other.clone();
-        }
-        if other.is(0) {
-            return self;
-        }
-        if self.is_opposite_of(other) {
-            return Self::from_rational(BigRational::zero(), self.joined_limits(other));
-        }
-        self.record_add(other)
-    }
-}
-
-impl Sub<&Self> for Expression {
-    type Output = Self;
-
-    fn sub(self, other: &Self) -> Self {
-        self + -other.clone()
-    }
-}
-
-impl Mul<&Self> for Expression {
-    type Output = Self;
-
-    fn mul(self, other: &Self) -> Self {
-        if let Some(product) = self.folded(other, |a, b| a * b) {
-            return product;
-        }
-        let same = self.is_same_node(other);
-        match (self.operation(), other.operation()) {
-            _ if self.is(0) || other.is(1) => self,
-            _ if other.is(0) || self.is(1) => other.clone(),
-            _ if self.is(-1) => -other.clone(),
-            _ if other.is(-1) => -self,
-            (Operation::Root(radicand), _) if same => radicand.clone(),
-            (Operation::Negate(a), Operation::Negate(b)) => a.clone() * b,
-            _ => self.record_multiply(other),
-        }
-    }
-}
-
-impl Div<&Self> for Expression {
-    type Output = Self;
-
-    fn div(self, other: &Self) -> Self {
-        let limits = self.joined_limits(other);
-        if other.known_sign() == Some(Equal) {
-            return Self::undefined(limits);
-        }
-        if let Some(quotient) = self.folded(other, |a, b| a / b) {
-            return quotient;
-        }
-        let nonzero = other.is_known_nonzero();
-        match () {
-            () if other.is(1) || nonzero && self.is(0) => self,
-            () if other.is(-1) => -self,
-            () if nonzero && self.is_same_node(other) => {
-                Self::from_rational(BigRational::one(), limits)
-            }
-            () => self.record_divide(other),
-        }
-    }
-}
-
-impl Neg for Expression {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        let limits = self.0.limits;
-        if let Some(value) = self.rational() {
-            return Self::from_rational(-value, limits);
-        }
-        if let Operation::Negate(inner) = self.operation() {
-            return inner.clone();
-        }
-        let enclosure = -self.0.enclosure.clone();
-        Self::new(Operation::Negate(self), enclosure, limits)
-    }
-}
-
-/// The operators with their right operand by value.
-macro_rules! forward_by_value {
-    ($($operator:ident $method:ident),*) => {$(
-        impl $operator for Expression {
-            type Output = Self;
-
-            fn $method(self, other: Self) -> Self {
-                $operator::$method(self, &other)
-            }
-        }
-    )*};
-}
-
-forward_by_value!(Add add, Sub sub, Mul mul, Div div);
-
 impl Operation {
+    fn enclosure(&self, bits: u32) -> Exact {
+        let of = |operand: &Expression| operand.best_enclosure(bits);
+        match self {
+            Self::Undefined => Exact::from_integer(1) / Exact::from_integer(0),
+            Self::Rational(value) => Exact::from_rational(value.clone(), bits),
+            Self::Negate(a) => -of(a),
+            Self::Add(a, b) => of(a) + of(b),
+            Self::Multiply(a, b) if a.is_same_node(b) => of(a).square(),
+            Self::Multiply(a, b) => of(a) * of(b),
+            Self::Divide(a, b) => of(a) / of(b),
+            Self::Root(a) => of(a).sqrt(),
+        }
+    }
+
     /// The operands, one to two, or none.
     pub(super) fn operands(&self) -> [Option<&Expression>; 2] {
         match self {

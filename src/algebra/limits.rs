@@ -11,16 +11,21 @@ pub struct Limits {
     pub bits: u32,
     /// The most bits that the separation bound may ask for.
     pub bound_bits: u32,
-    /// The most radicals that a tower of fields is built from.
+    /// The most radicals that a tower of fields is built from, up to
+    /// [`MOST_RADICALS`](Self::MOST_RADICALS).
     pub radicals: u32,
     /// The most bits of an element of the tower, all its coefficients
     /// together.
     pub element_bits: u64,
-    /// The most terms times bits that one evaluation may take.
+    /// The most terms times bits that one evaluation may take, and the most
+    /// bits of all elements of a tower together.
     pub work: u64,
 }
 
 impl Limits {
+    /// An element of a tower of n radicals has 2^n coefficients.
+    pub const MOST_RADICALS: u32 = 12;
+
     /// Those of a number that comes without any: what it meets decides.
     pub(super) const NONE: Self = Self {
         bits: 0,
@@ -58,7 +63,7 @@ impl Default for Limits {
             bound_bits: 1 << 17,
             radicals: 8,
             element_bits: 1 << 20,
-            work: 1 << 26,
+            work: 1 << 27,
         }
     }
 }

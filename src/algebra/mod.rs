@@ -51,6 +51,7 @@ mod expression;
 mod graph;
 mod limits;
 mod modular;
+mod operators;
 mod rational;
 mod square;
 mod tower;

@@ -120,3 +120,45 @@ impl Embedding {
         result
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::limits::Limits;
+    use crate::algebra::tower::Tower;
+
+    /// By Fermat's test to four bases, with the library's powers.
+    #[test]
+    fn primes_are_primes() {
+        assert_eq!(PRIMES.len(), MAPS);
+        for &p in PRIMES.iter() {
+            assert_eq!(p % 4, 3);
+            for base in [2, 3, 5, 7].map(BigInt::from) {
+                let power = base.modpow(&BigInt::from(p - 1), &BigInt::from(p));
+                assert_eq!(power, BigInt::from(1));
+            }
+        }
+        assert_eq!(PRIMES[0], i32::MAX as u32, "a Mersenne prime");
+        assert!(!is_prime(46_337 * 46_337) && !is_prime(3 * 715_827_881));
+    }
+
+    /// Sums and products keep their places, also over a nested radical.
+    #[test]
+    fn maps_keep_sums_and_products() {
+        let mut tower = Tower::new(Limits::default());
+        let number = |numbers: &[i32]| {
+            let numerator = numbers.iter().copied().map(BigInt::from).collect();
+            Element::new(numerator, BigInt::from(1))
+        };
+        tower.root(&number(&[2])).unwrap();
+        tower.root(&number(&[1, 1])).unwrap();
+        let (a, b) = (number(&[3, -1, 4, 1]), number(&[-5, 9, 2, 6]));
+        let (sum, product) = (a.add(&b), tower.mul(&a, &b).unwrap());
+        assert!(!tower.embeddings[2].is_empty());
+        for map in &tower.embeddings[2] {
+            let [x, y] = [&a, &b].map(|n| map.image(&n.numerator));
+            assert_eq!(map.image(&sum.numerator), (x + y) % map.p());
+            assert_eq!(map.image(&product.numerator), x * y % map.p());
+        }
+    }
+}

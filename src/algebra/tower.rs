@@ -184,7 +184,8 @@ impl Tower {
     /// new radical: √(v / m) = √(v m) / m, less the squares that divide v m.
     fn adjoin(&mut self, x: &Element) -> Result<Element, Stop> {
         let level = self.height();
-        if level >= self.limits.radicals as usize {
+        let most = self.limits.radicals.min(Limits::MOST_RADICALS);
+        if level >= most as usize {
             return Err(Stop::Budget);
         }
         let divisor = content(&x.numerator, BigInt::zero());

@@ -80,7 +80,7 @@ fn hit(a: &mut Disc<Expression>, b: &mut Disc<Expression>, delay: &Expression) {
 /// Posts that a disc at the origin with velocity (1, 0) meets one after the
 /// other, each near the line that it takes after the one before. Every impact
 /// adds a square root over the roots so far.
-const POSTS: [[&str; 2]; 7] = [
+const POSTS: [[&str; 2]; 8] = [
     ["4", "1/2"],
     ["-2", "-3/2"],
     ["4", "-3/2"],
@@ -88,6 +88,7 @@ const POSTS: [[&str; 2]; 7] = [
     ["2", "3/2"],
     ["-5/2", "-3"],
     ["-1", "5/2"],
+    ["-1/2", "-7/2"],
 ];
 
 /// The times at which a disc meets the first posts.

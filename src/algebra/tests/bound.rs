@@ -21,7 +21,7 @@ fn is_zero_in_tower(number: &Expression) -> bool {
     let needed = normal.graph.needed(&normal.goal);
     let (ascent, end) = Ascent::of(&normal.graph, &needed, Limits::default());
     end.unwrap();
-    ascent.element(&normal.goal).unwrap().is_zero()
+    ascent.is_zero(&normal.goal).unwrap()
 }
 
 fn bound(number: &Expression) -> u32 {

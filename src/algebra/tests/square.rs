@@ -115,13 +115,18 @@ proptest! {
     /// And the primes do not refute what they must not.
     #[test]
     fn every_square_is_found(a in element(8), primes in any::<bool>()) {
-        let tower = adjoined(&[2, 5, 7]);
-        let square = tower.mul(&a, &a).unwrap();
-        for map in &tower.embeddings[3] {
-            prop_assert!(!map.refutes_square(&square));
+        for nested in [false, true] {
+            let mut tower = adjoined(&[2, 5]);
+            let next = if nested { with_first(1, 1) } else { whole(7) };
+            tower.root(&next).unwrap();
+            let square = tower.mul(&a, &a).unwrap();
+            prop_assert!(tower.embeddings[3].len() > 3);
+            for map in &tower.embeddings[3] {
+                prop_assert!(!map.refutes_square(&square));
+            }
+            let tower = if primes { tower } else { without_maps(tower) };
+            prop_assert!(is_square(&tower, &square));
         }
-        let tower = if primes { tower } else { without_maps(tower) };
-        prop_assert!(is_square(&tower, &square));
     }
 
     /// The fast answer is the slow one, over a radical of a radical too.
