@@ -4,8 +4,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::element::Element;
-use super::graph::{Graph, Multiple, Term};
+use super::graph::Graph;
 use super::limits::Limits;
+use super::term::{Multiple, Term};
 use super::tower::{Stop, Tower};
 
 /// The terms of a graph as elements of one tower.

@@ -23,7 +23,8 @@
 use num_bigint::BigInt;
 use num_traits::One;
 
-use super::graph::{Graph, Multiple, Term};
+use super::graph::Graph;
+use super::term::{Multiple, Term};
 use crate::scalar::{Dyadic, Radius};
 
 /// Bounds of the numerator and the denominator, and of their conjugates.

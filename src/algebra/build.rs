@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use super::expression::{Expression, Operation};
-use super::graph::{Graph, Multiple, NoForm};
+use super::graph::Graph;
+use super::term::{Multiple, NoForm};
 
 /// An expression in normal form, and all that it is made of.
 pub(super) struct Normal<'a> {

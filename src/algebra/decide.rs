@@ -11,13 +11,16 @@ use super::bound::separation_bits;
 use super::build::Normal;
 use super::evaluate::{self, bits_of_zero};
 use super::expression::{Expression, Operation};
-use super::graph::NoForm;
 use super::limits::Limits;
+use super::term::NoForm;
 use super::tower::Stop;
 use crate::scalar::{Exact, Scalar, Undecided};
 
 /// The bits up to which an evaluation costs less than a tower.
 const CHEAP_BITS: u64 = 2048;
+
+/// The bits up to which a sign is looked for that no bound promises.
+const VAIN_BITS: u64 = 1 << 14;
 
 /// The bits that an evaluation takes beyond those of its result, at first.
 const GUARD_BITS: u64 = 64;
@@ -140,13 +143,16 @@ impl<'a> Question<'a> {
         ascent.is_zero(&self.normal.goal).ok_or(Stop::Budget)
     }
 
-    /// Evaluates with as many bits as the separation bound asks for.
+    /// Evaluates with as many bits as the separation bound asks for. Where
+    /// those are too many, only what is not zero can show, and to look for it
+    /// at great length is mostly in vain.
     fn by_bound(&mut self) -> Option<Ordering> {
-        let bound = self.bound?;
-        if bound > self.limits.bound_bits.into() {
-            return None;
+        let is_within = |bound| bound <= u64::from(self.limits.bound_bits);
+        if self.bound.is_some_and(is_within) {
+            self.approach(self.enough(), self.most_bits())
+        } else {
+            self.approach(0, VAIN_BITS.min(self.most_bits()))
         }
-        self.approach(self.enough(), self.most_bits())
     }
 
     /// Twice what a bound may ask for: operations that cancel lose bits.

@@ -7,7 +7,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::graph::{Graph, Multiple, Term};
+use super::graph::Graph;
+use super::term::{Multiple, Term};
 use crate::scalar::{Exact, Scalar};
 
 /// Encloses a number with so many bits in every operation, given the terms

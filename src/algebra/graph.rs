@@ -24,48 +24,8 @@ use num_traits::{One, Signed, Zero};
 
 use super::evaluate;
 use super::rational::{sign_of, split_square};
+use super::term::{LONGEST_RATIONAL, Multiple, NoForm, Power, Term};
 use crate::scalar::{Exact, Scalar};
-
-/// Parts of a sum or product beyond which it is not opened.
-const MOST_PARTS: usize = 64;
-
-/// The exponent of a power beyond which a product is not opened.
-const HIGHEST_POWER: i64 = 64;
-
-/// Bits of a rational beyond which the normal form is given up.
-const LONGEST_RATIONAL: u64 = 1 << 20;
-
-/// A rational times a term.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Multiple {
-    pub(super) factor: BigRational,
-    /// None for one.
-    pub(super) term: Option<usize>,
-}
-
-/// What is not rational, as far as the form tells. Terms are named by their
-/// places in the graph; a term comes after those that it is made of.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Term {
-    Sum {
-        constant: BigInt,
-        parts: Vec<(usize, BigInt)>,
-    },
-    Product(Vec<(usize, i64)>),
-    Root {
-        factor: BigInt,
-        of: Option<usize>,
-    },
-}
-
-/// Why a number has no form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NoForm {
-    /// It is no number: a quotient by zero, or the root of a negative number.
-    Undefined,
-    /// A rational became too long.
-    TooLong,
-}
 
 /// Terms, each once.
 #[derive(Debug)]
@@ -74,67 +34,6 @@ pub(super) struct Graph {
     terms: Vec<Term>,
     enclosures: Vec<Exact>,
     places: HashMap<Term, usize>,
-}
-
-impl Multiple {
-    pub(super) fn rational(factor: BigRational) -> Self {
-        Self { factor, term: None }
-    }
-
-    fn of(factor: BigRational, term: usize) -> Self {
-        let term = (!factor.is_zero()).then_some(term);
-        Self { factor, term }
-    }
-
-    pub(super) fn is_zero(&self) -> bool {
-        self.factor.is_zero()
-    }
-
-    pub(super) fn negated(self) -> Self {
-        Self {
-            factor: -self.factor,
-            ..self
-        }
-    }
-
-    fn checked(self) -> Result<Self, NoForm> {
-        let length = self.factor.numer().bits() + self.factor.denom().bits();
-        if length > LONGEST_RATIONAL {
-            return Err(NoForm::TooLong);
-        }
-        Ok(self)
-    }
-}
-
-impl Term {
-    /// The terms that this one is made of.
-    pub(super) fn operands(&self) -> Vec<usize> {
-        match self {
-            Self::Sum { parts, .. } => parts.iter().map(|part| part.0).collect(),
-            Self::Product(factors) => factors.iter().map(|factor| factor.0).collect(),
-            Self::Root { of, .. } => of.iter().copied().collect(),
-        }
-    }
-
-    /// A sum that can be a part of another without being one itself.
-    fn as_short_sum(&self) -> Option<(&BigInt, &[(usize, BigInt)])> {
-        match self {
-            Self::Sum { constant, parts } if parts.len() <= MOST_PARTS => Some((constant, parts)),
-            _ => None,
-        }
-    }
-
-    fn as_short_product(&self) -> Option<&[(usize, i64)]> {
-        match self {
-            Self::Product(factors)
-                if factors.len() <= MOST_PARTS
-                    && factors.iter().all(|factor| factor.1.abs() <= HIGHEST_POWER) =>
-            {
-                Some(factors)
-            }
-            _ => None,
-        }
-    }
 }
 
 impl Graph {
@@ -275,7 +174,7 @@ impl Graph {
     fn product(
         &mut self,
         mut factor: BigRational,
-        mut pending: Vec<(usize, i64)>,
+        mut pending: Vec<Power>,
     ) -> Result<Multiple, NoForm> {
         let mut powers: BTreeMap<usize, i64> = BTreeMap::new();
         while let Some((term, exponent)) = pending.pop() {
@@ -329,7 +228,7 @@ impl Graph {
 
     /// Splits a term into y² z with the sign of y: the powers that y has, and
     /// z.
-    fn halve(&self, term: Option<usize>) -> (Vec<(usize, i64)>, Vec<(usize, i64)>, i32) {
+    fn halve(&self, term: Option<usize>) -> (Vec<Power>, Vec<Power>, i32) {
         let (mut outside, mut inside, mut sign) = (Vec::new(), Vec::new(), 1);
         for (term, power) in self.factors(term) {
             let half = power.div_euclid(2);
@@ -347,7 +246,7 @@ impl Graph {
         (outside, inside, sign)
     }
 
-    fn factors(&self, term: Option<usize>) -> Vec<(usize, i64)> {
+    fn factors(&self, term: Option<usize>) -> Vec<Power> {
         match term.map(|term| (term, self.terms[term].as_short_product())) {
             None => Vec::new(),
             Some((term, None)) => vec![(term, 1)],
@@ -383,7 +282,7 @@ fn power_of(base: &BigInt, exponent: i64) -> Result<BigRational, NoForm> {
     if base.bits().saturating_mul(magnitude) > LONGEST_RATIONAL && !base.magnitude().is_one() {
         return Err(NoForm::TooLong);
     }
-    // At most 2^20.
+    // At most 2^16.
     let power = BigRational::from_integer(base.pow(magnitude as u32));
     Ok(if exponent < 0 { power.recip() } else { power })
 }

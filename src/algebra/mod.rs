@@ -54,6 +54,7 @@ mod modular;
 mod operators;
 mod rational;
 mod square;
+mod term;
 mod tower;
 
 pub use expression::Expression;

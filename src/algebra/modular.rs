@@ -30,11 +30,11 @@ static PRIMES: LazyLock<Vec<u32>> = LazyLock::new(|| {
 });
 
 fn is_prime(n: u32) -> bool {
-    n % 2 != 0
+    !n.is_multiple_of(2)
         && (3..)
             .step_by(2)
             .take_while(|d| d * d <= n)
-            .all(|d| n % d != 0)
+            .all(|d| !n.is_multiple_of(d))
 }
 
 /// A map from a tower into a prime field.

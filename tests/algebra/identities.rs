@@ -12,8 +12,8 @@ fn nested(a: i64, b: i64, c: i64) -> Expression {
     (whole(a) + whole(b) * root(c)).sqrt()
 }
 
-/// Textbook denestings; those with three roots are Ramanujan's kind: squares
-/// of √a + √b + √c written out.
+/// Roots that can be written with fewer roots one within the other, as
+/// squaring shows.
 #[test]
 fn denestings() {
     let zeros = [

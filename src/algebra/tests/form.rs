@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::{expression, normal, root, whole};
 use crate::algebra::Expression;
-use crate::algebra::graph::NoForm;
+use crate::algebra::term::NoForm;
 use crate::scalar::Scalar;
 
 /// Whether the difference has the form of zero.
