@@ -1,13 +1,13 @@
 //! Impacts that symmetry makes simultaneous, in frames that hide it.
 
-use std::cmp::Ordering::{Equal, Less};
-use std::time::Instant;
+use std::cmp::Ordering::{self, Equal, Less};
+use std::time::{Duration, Instant};
 
 use carom::algebra::Expression;
 use carom::body::{Disc, Mass};
 use carom::detect::meet_circle;
 use carom::respond::{Normal, Restitution, collide_discs};
-use carom::scalar::Scalar;
+use carom::scalar::{Scalar, Undecided};
 use carom::vec2::Vec2;
 
 use crate::number;
@@ -183,6 +183,33 @@ fn what_parts_in_symmetry_arrives_together() {
     }
 }
 
+/// Whether a disc is seen to touch each of the first posts when it meets it.
+fn touches(frame: Frame, count: usize) -> Vec<(Duration, Result<Ordering, Undecided>)> {
+    let mut disc = frame.disc(["0", "0"], ["1", "0"]);
+    let mut touches = Vec::new();
+    for &post in &POSTS[..count] {
+        let mut post = frame.disc(post, ["0", "0"]);
+        post.mass = Mass::Infinite;
+        let delay = delay(&disc, &post);
+        hit(&mut disc, &mut post, &delay);
+        let start = Instant::now();
+        let touch = power(&post.position.minus(&disc.position)).sign();
+        touches.push((start.elapsed(), touch));
+    }
+    touches
+}
+
+/// The equation of which the time is a root is satisfied, at every impact of
+/// a path.
+#[test]
+fn what_is_met_is_touched() {
+    for frame in [PLAIN, HIDDEN] {
+        for (_, touch) in touches(frame, 5) {
+            assert_eq!(touch, Ok(Equal));
+        }
+    }
+}
+
 /// How long ties of so many square roots take to prove.
 #[test]
 #[ignore = "prints figures"]
@@ -202,5 +229,9 @@ fn cost_of_ties() {
             timed(&mirrored),
             timed(&hidden)
         );
+    }
+    for (place, (time, touch)) in touches(HIDDEN, POSTS.len()).into_iter().enumerate() {
+        let touch = touch.map_err(|open| open.to_string());
+        println!("{}: touch {time:?} {touch:?}", place + 1);
     }
 }
