@@ -23,12 +23,13 @@ impl Ascent {
             tower: Tower::new(limits),
             elements: vec![None; graph.terms().len()],
         };
-        let mut work = 0;
+        let most = limits.element_bits.saturating_mul(Limits::ELEMENTS);
+        let mut bits = 0;
         let end = needed.iter().try_for_each(|&place| {
             let element = ascent.climb(&graph.terms()[place])?;
-            work += element.bits();
+            bits += element.bits();
             ascent.elements[place] = Some(element);
-            if work > limits.work {
+            if bits > most {
                 Err(Stop::Budget)
             } else {
                 Ok(())

@@ -110,12 +110,12 @@ impl Element {
 
     pub(super) fn add(&self, other: &Self) -> Self {
         let common = self.denominator.lcm(&other.denominator);
-        let mut sum = scaled(&self.numerator, &(&common / &self.denominator));
+        let mut total = scaled(&self.numerator, &(&common / &self.denominator));
         add_to(
-            &mut sum,
+            &mut total,
             &scaled(&other.numerator, &(&common / &other.denominator)),
         );
-        Self::new(sum, common)
+        Self::new(total, common)
     }
 
     pub(super) fn sub(&self, other: &Self) -> Self {
@@ -159,10 +159,27 @@ fn scaled(coefficients: &[BigInt], factor: &BigInt) -> Coefficients {
 
 /// Adds to a list that grows where the other one is longer.
 pub(super) fn add_to(sum: &mut Coefficients, other: &[BigInt]) {
-    if sum.len() < other.len() {
-        sum.resize(other.len(), BigInt::zero());
-    }
-    for (n, term) in sum.iter_mut().zip(other) {
-        *n += term;
+    lengthen(sum, other.len());
+    sum.iter_mut().zip(other).for_each(|(n, term)| *n += term);
+}
+
+/// Subtracts from a list that grows where the other one is longer.
+pub(super) fn subtract_from(difference: &mut Coefficients, other: &[BigInt]) {
+    lengthen(difference, other.len());
+    difference
+        .iter_mut()
+        .zip(other)
+        .for_each(|(n, term)| *n -= term);
+}
+
+pub(super) fn sum(a: &[BigInt], b: &[BigInt]) -> Coefficients {
+    let mut sum = a.to_vec();
+    add_to(&mut sum, b);
+    sum
+}
+
+fn lengthen(coefficients: &mut Coefficients, length: usize) {
+    if coefficients.len() < length {
+        coefficients.resize(length, BigInt::zero());
     }
 }

@@ -15,16 +15,19 @@ pub struct Limits {
     /// [`MOST_RADICALS`](Self::MOST_RADICALS).
     pub radicals: u32,
     /// The most bits of an element of the tower, all its coefficients
-    /// together.
+    /// together. All elements together may have
+    /// [`ELEMENTS`](Self::ELEMENTS) times as many.
     pub element_bits: u64,
-    /// The most terms times bits that one evaluation may take, and the most
-    /// bits of all elements of a tower together.
+    /// The most terms times bits that one evaluation may take.
     pub work: u64,
 }
 
 impl Limits {
     /// An element of a tower of n radicals has 2^n coefficients.
     pub const MOST_RADICALS: u32 = 12;
+
+    /// How many elements of the greatest length a tower may take.
+    pub const ELEMENTS: u64 = 64;
 
     /// Those of a number that comes without any: what it meets decides.
     pub(super) const NONE: Self = Self {
@@ -62,7 +65,7 @@ impl Default for Limits {
             bits: 256,
             bound_bits: 1 << 17,
             radicals: 8,
-            element_bits: 1 << 20,
+            element_bits: 1 << 23,
             work: 1 << 27,
         }
     }

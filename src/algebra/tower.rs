@@ -11,7 +11,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::element::{Coefficients, Element, add_to, content, is_zero};
+use super::element::{Coefficients, Element, add_to, content, is_zero, subtract_from, sum};
 use super::evaluate::whole;
 use super::limits::Limits;
 use super::modular::Embedding;
@@ -100,11 +100,30 @@ impl Tower {
         let (b0, b1) = b.split_at(half);
         let outer = self.product(a1, b1);
         let mut low = self.product(a0, b0);
-        let mut high = self.product(a0, b1);
-        add_to(&mut high, &self.product(a1, b0));
+        let high = self.mixed_product([a0, a1], [b0, b1], [&low, &outer]);
         let radicand = &self.radicands[half.trailing_zeros() as usize];
         add_to(&mut low, &self.product(&outer, radicand));
         join(low, high, half)
+    }
+
+    /// a0 b1 + a1 b0, given a0 b0 and a1 b1: one product as long as none is
+    /// zero, by Karatsuba's (a0 + a1) (b0 + b1) - a0 b0 - a1 b1.
+    fn mixed_product(
+        &self,
+        [a0, a1]: [&[BigInt]; 2],
+        [b0, b1]: [&[BigInt]; 2],
+        known: [&Coefficients; 2],
+    ) -> Coefficients {
+        if known.iter().any(|product| is_zero(product)) {
+            let mut sum = self.product(a0, b1);
+            add_to(&mut sum, &self.product(a1, b0));
+            return sum;
+        }
+        let mut mixed = self.product(&sum(a0, a1), &sum(b0, b1));
+        for product in known {
+            subtract_from(&mut mixed, product);
+        }
+        mixed
     }
 
     /// a² - b² d for a + b√d: the product with its conjugate.
