@@ -124,10 +124,16 @@ impl<'a> Question<'a> {
         None
     }
 
+    /// The bound, if it is within the budget.
+    fn usable_bound(&self) -> Option<u64> {
+        self.bound
+            .filter(|&bound| bound <= self.limits.bound_bits.into())
+    }
+
     /// The bits that should be enough for the bound.
     fn enough(&self) -> u64 {
-        self.bound
-            .map_or(u64::MAX, |bound| bound.saturating_add(GUARD_BITS))
+        self.usable_bound()
+            .map_or(u64::MAX, |bound| bound + GUARD_BITS)
     }
 
     /// Whether the number is zero, by its coefficients in a tower.
@@ -147,11 +153,9 @@ impl<'a> Question<'a> {
     /// those are too many, only what is not zero can show, and to look for it
     /// at great length is mostly in vain.
     fn by_bound(&mut self) -> Option<Ordering> {
-        let is_within = |bound| bound <= u64::from(self.limits.bound_bits);
-        if self.bound.is_some_and(is_within) {
-            self.approach(self.enough(), self.most_bits())
-        } else {
-            self.approach(0, VAIN_BITS.min(self.most_bits()))
+        match self.usable_bound() {
+            Some(_) => self.approach(self.enough(), self.most_bits()),
+            None => self.approach(0, VAIN_BITS.min(self.most_bits())),
         }
     }
 
@@ -175,7 +179,7 @@ impl<'a> Question<'a> {
 
     fn sign_of(&self, value: &Exact) -> Option<Ordering> {
         let is_zero = || {
-            let bound = i64::try_from(self.bound?).ok()?;
+            let bound = i64::try_from(self.usable_bound()?).ok()?;
             (bits_of_zero(value)? >= bound).then_some(Equal)
         };
         value.sign().ok().or_else(is_zero)
