@@ -63,12 +63,15 @@ fn check(number: &Expression) {
 /// By hand, where each logarithm is rounded up to the next sixteenth, and that
 /// of 1 to a whole one. √2 - 1 has u = 1 + √2, l = 1, D = 2: 21/16 + 1/16.
 /// √2 - √3 has u = √2 + √3, D = 4: 3 × 27/16 + 1/16. 1/(√2 - 1) has u = 1 and
-/// l = 1 + √2.
+/// l = 1 + √2. The root of 1 more than that, D = 4, has u = √((2 + √2)(1 + √2))
+/// = 2.871 and l = 1 + √2: 3 × 25/16 + 21/16.
 #[test]
 fn bounds_by_hand() {
     assert_eq!(bound(&(root(2) - whole(1))), 2);
     assert_eq!(bound(&(root(2) - root(3))), 6);
-    assert_eq!(bound(&(whole(1) / (root(2) - whole(1)))), 2);
+    let inverse = whole(1) / (root(2) - whole(1));
+    assert_eq!(bound(&inverse), 2);
+    assert_eq!(bound(&(inverse + whole(1)).sqrt()), 6);
 }
 
 #[test]

@@ -66,6 +66,23 @@ fn rationals() {
     }
 }
 
+/// 1/2 = (√2/2)², 3/2 = (√6/2)²: primes must not refute them.
+#[test]
+fn fractions() {
+    let table = [
+        (2, [1, 2], true),
+        (6, [3, 2], true),
+        (2, [1, 3], false),
+        (6, [1, 2], false),
+    ];
+    for (field, [n, d], square) in table {
+        let number = Element::new(vec![n.into()], d.into());
+        for tower in [adjoined(&[field]), without_maps(adjoined(&[field]))] {
+            assert_eq!(is_square(&tower, &number), square, "{n}/{d} in Q(√{field})");
+        }
+    }
+}
+
 /// 3 + 2√2 = (1 + √2)². 2 + √2 has the norm 2, which is no square. 5 + 2√6 is
 /// (√2 + √3)², and no square in Q(√6): (5 ± 1)/2 are none there.
 #[test]
