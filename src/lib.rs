@@ -12,6 +12,7 @@
 //! Where to start reading: [`detect`] and [`respond`] for the physics,
 //! [`frame`] for the paper's algorithms, [`paper`] for its claims one by one.
 
+pub mod algebra;
 pub mod arithmetic;
 pub mod body;
 pub mod contacts;

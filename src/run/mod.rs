@@ -144,7 +144,7 @@ impl<S: Arithmetic> Outcome<S> {
         if let Some(impact) = vague {
             let question = format!("{digits} digits of the time at which {} meet", impact.pair);
             let bits = S::bits(self.precision).unwrap_or_default();
-            self.demand(Undecided { bits, question });
+            self.demand(Undecided::new(bits, question));
         }
     }
 }

@@ -51,6 +51,13 @@ impl Exact {
     /// enclosure.
     pub const RATIONAL_BITS: u64 = 4096;
 
+    /// A fraction in lowest terms of any size; one longer than
+    /// [`RATIONAL_BITS`](Self::RATIONAL_BITS) is enclosed.
+    pub(crate) fn from_rational(ratio: BigRational, bits: u32) -> Self {
+        let value = Value::from_ratio(ratio, bits);
+        Self { value, bits }
+    }
+
     /// Whether the number is known exactly, as a rational.
     pub fn is_rational(&self) -> bool {
         self.value.is_exact()

@@ -29,9 +29,12 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_rational::BigRational;
 
+pub(crate) use dyadic::Dyadic;
 pub use exact::Exact;
 pub use interval::Interval;
+pub(crate) use isqrt::exact_sqrt;
 pub use number::{Number, NumberError};
+pub(crate) use radius::Radius;
 pub use undecided::{Doubt, Undecided};
 
 /// A number that collisions are computed with.

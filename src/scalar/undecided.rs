@@ -2,23 +2,48 @@
 
 use std::convert::Infallible;
 use std::error::Error;
+use std::fmt;
 
 /// A decision that enclosures of so many bits could not make.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{bits} bits do not decide {question}")]
+#[error("{bits} bits do not decide {question}{}", Proof(*bound))]
 pub struct Undecided {
     /// The bits of the enclosures that did not suffice.
     pub bits: u32,
     /// What was asked.
     pub question: String,
+    /// The bits that would be certain to decide it, where they are known:
+    /// more than the budget allows.
+    pub bound: Option<u64>,
 }
 
 impl Undecided {
+    /// What so many bits could not decide.
+    pub fn new(bits: u32, question: impl Into<String>) -> Self {
+        let question = question.into();
+        Self {
+            bits,
+            question,
+            bound: None,
+        }
+    }
+
     /// A bare number whose sign `bits` bits could not tell; the caller who
     /// knows what it stands for [names](Doubt::asking) it.
     pub fn sign(bits: u32) -> Self {
-        let question = String::from("the sign of a number");
-        Self { bits, question }
+        Self::new(bits, "the sign of a number")
+    }
+}
+
+/// What it would take to be certain.
+struct Proof(Option<u64>);
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Some(bits) => write!(f, " (a tie as far as they tell; a proof takes {bits})"),
+            None => Ok(()),
+        }
     }
 }
 
