@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use crate::scalar::{Exact, Number, Scalar};
+use crate::timeline::Timed;
 
 /// How precise the enclosures of exact arithmetic may get.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +39,7 @@ impl Budget {
 const SPARE_BITS: u32 = 64;
 
 /// An arithmetic that a user can choose.
-pub trait Arithmetic: Scalar {
+pub trait Arithmetic: Timed {
     /// Its name on the command line and in the log.
     const NAME: &'static str;
 

@@ -15,6 +15,8 @@ pub struct Impact<S> {
     /// When it happens: for a frame algorithm on the clock of the pair's
     /// first body.
     pub time: S,
+    /// The name of the time: impacts with the same name are simultaneous.
+    pub moment: Option<u64>,
     /// The time on the other body's clock, where that differs.
     pub other_time: Option<S>,
     /// The two bodies.
@@ -192,8 +194,9 @@ pub fn number_ties<S: Scalar>(impacts: &mut [Impact<S>]) {
     }
     let mut next = 0;
     for later in 1..impacts.len() {
-        let [before, after] = [later - 1, later].map(|index| &impacts[index].time);
-        if before.compare(after).is_ok_and(Ordering::is_eq) {
+        let [before, after] = [later - 1, later].map(|index| &impacts[index]);
+        let is_named = before.moment.is_some() && before.moment == after.moment;
+        if is_named || before.time.compare(&after.time).is_ok_and(Ordering::is_eq) {
             let tie = *impacts[later - 1].tie.get_or_insert_with(|| {
                 next += 1;
                 next - 1

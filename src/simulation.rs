@@ -11,7 +11,7 @@ use crate::frame::{self, Frame, Passes};
 use crate::impact::Impact;
 use crate::scalar::Scalar;
 use crate::scene::{self, Scene};
-use crate::timeline::Timeline;
+use crate::timeline::{Timed, Timeline};
 use crate::world::World;
 
 /// How a scene is simulated.
@@ -46,7 +46,7 @@ impl fmt::Display for Algorithm {
 
 /// A scene that is being simulated frame by frame.
 #[derive(Clone, Debug)]
-pub struct Simulation<S: Scalar> {
+pub struct Simulation<S: Timed> {
     machine: Machine<S>,
     clock: FrameClock,
     precision: S::Precision,
@@ -54,7 +54,7 @@ pub struct Simulation<S: Scalar> {
 }
 
 #[derive(Clone, Debug)]
-enum Machine<S: Scalar> {
+enum Machine<S: Timed> {
     Frames(World<S>, Algorithm),
     Timeline(Box<Timeline<S>>),
 }

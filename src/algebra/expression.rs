@@ -68,6 +68,17 @@ impl Expression {
         Self::record(Operation::Rational(value), limits)
     }
 
+    /// A number, if it is known as a rational.
+    pub fn from_exact(value: &Exact, limits: Limits) -> Option<Self> {
+        let (lo, hi) = value.enclosure()?;
+        (lo == hi).then(|| Self::from_rational(lo, limits))
+    }
+
+    /// The enclosure, or the number itself where it is known to be rational.
+    pub fn to_exact(&self) -> Exact {
+        self.best_enclosure(self.limits().bits)
+    }
+
     /// The rational that this is, where that is known.
     pub fn rational(&self) -> Option<&BigRational> {
         match &self.0.operation {

@@ -186,6 +186,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
         let differs = self.partner(feature).is_some() && !collision.same_time;
         Ok(Impact {
             time: absolute(time),
+            moment: None,
             other_time: differs.then(|| absolute(other_time)),
             pair,
             end,

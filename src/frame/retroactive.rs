@@ -57,6 +57,7 @@ fn collide_overlapping<S: Scalar>(
         let (pair, end) = bodies.world.names(disc, feature);
         impacts.push(Impact {
             time: time.clone(),
+            moment: None,
             other_time: None,
             pair,
             end,

@@ -66,6 +66,20 @@ impl<S: Scalar> Restitution<S> {
         }
     }
 
+    /// The numbers of the rule.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = &S> {
+        let numbers = match self {
+            Self::Elastic => [None; 3],
+            Self::Newton {
+                discs,
+                walls,
+                elastic_below,
+            } => [Some(discs), Some(walls), elastic_below.as_ref()],
+            Self::Paper { kept } => [Some(kept), None, None],
+        };
+        numbers.into_iter().flatten()
+    }
+
     /// 1 + e for an impact that approaches with w·n along a normal of which
     /// the square is given.
     fn strength(&self, against: Against, approach: &S, normal_squared: &S) -> Result<S, S::Doubt> {

@@ -11,12 +11,14 @@ use crate::impact::{Impact, number_ties};
 use crate::scalar::{Doubt, Scalar};
 use crate::scene::Scene;
 use crate::simulation::{Algorithm, FrameClock, Simulation};
+use crate::symmetry::Symmetry;
 use crate::timeline::Timeline;
 use crate::world::World;
 
 /// What an attempt has and has got so far.
 pub(super) struct Attempt<'a, S: Scalar> {
     options: &'a Options,
+    symmetries: &'a [Symmetry],
     watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     precision: S::Precision,
     clock: FrameClock,
@@ -29,6 +31,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
     pub(super) fn new(
         scene: &Scene,
         options: &'a Options,
+        symmetries: &'a [Symmetry],
         precision: S::Precision,
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Self {
@@ -38,6 +41,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         };
         Self {
             options,
+            symmetries,
             watch,
             precision,
             clock: FrameClock::new(scene.frame()),
@@ -79,7 +83,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
     fn follow(&mut self, world: World<S>) -> Ran<S> {
         let end = S::from_rational(self.end.clone(), self.precision);
         let start = world.discs.clone();
-        let mut timeline = match Timeline::new(world, &end) {
+        let mut timeline = match Timeline::with_symmetries(world, &end, self.symmetries) {
             Ok(timeline) => timeline,
             Err(doubt) => return Ran::stuck(doubt, start),
         };

@@ -15,6 +15,7 @@ use crate::scalar::{Number, Scalar, Undecided};
 use crate::scene::Scene;
 use crate::simulation::Algorithm;
 use crate::support::{Unsupported, check_number, check_support};
+use crate::symmetry::symmetries;
 use attempt::Attempt;
 
 /// What a run may cost, and where it ends.
@@ -105,9 +106,14 @@ pub fn run<S: Arithmetic>(
     if let Some(until) = &options.until {
         check_number::<S>("until", until)?;
     }
+    // What proves nothing has no use for them.
+    let symmetries = match algorithm {
+        Algorithm::Timeline if !S::ROUNDS => symmetries(scene),
+        _ => Vec::new(),
+    };
     let mut precision = S::first_precision(&options.budget);
     loop {
-        let mut attempt = Attempt::<S>::new(scene, options, precision, &mut *watch);
+        let mut attempt = Attempt::<S>::new(scene, options, &symmetries, precision, &mut *watch);
         let outcome = attempt.run(scene, algorithm);
         let Status::Undecided(_) = outcome.status else {
             return Ok(outcome);

@@ -28,6 +28,16 @@ impl Undecided {
         }
     }
 
+    /// The same question, after a proof was tried and left open as well.
+    #[must_use]
+    pub(crate) fn after(self, proof: Self) -> Self {
+        Self {
+            bits: self.bits.max(proof.bits),
+            bound: proof.bound,
+            ..self
+        }
+    }
+
     /// A bare number whose sign `bits` bits could not tell; the caller who
     /// knows what it stands for [names](Doubt::asking) it.
     pub fn sign(bits: u32) -> Self {

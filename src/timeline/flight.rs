@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::arbiter::{Arbiter, Foreseen, Timed};
 use crate::body::{Disc, Feature};
 use crate::detect::Encounter;
 use crate::impact::Place;
@@ -15,7 +16,7 @@ use crate::world::{Obstacle, World};
 /// A `moment` names such a time: equal names are equal times, also where the
 /// arithmetic could not prove it.
 #[derive(Clone, Debug)]
-pub(super) struct Flights<S> {
+pub struct Flights<S> {
     pub(super) world: World<S>,
     pub(super) since: Vec<S>,
     pub(super) turn: Vec<u64>,
@@ -24,7 +25,7 @@ pub(super) struct Flights<S> {
 
 /// What a disc meets next of one body, and when.
 #[derive(Clone, Debug)]
-pub(super) struct Meeting<S> {
+pub struct Meeting<S> {
     pub(super) time: S,
     pub(super) feature: Feature,
     pub(super) graze: bool,
@@ -63,7 +64,7 @@ impl<S: Scalar> Flights<S> {
         if let Some(feature) = self.world.contact(disc, obstacle) {
             let place = self.place(disc, feature, &self.since[disc], true);
             let approaches = self.world.approaches(disc, feature, &place.other)?;
-            return Ok(approaches.then(|| self.meeting(disc, Encounter::now(), feature)));
+            return Ok(approaches.then(|| self.touching(disc, feature)));
         }
         match obstacle {
             Obstacle::Disc(other) => self.meet_disc(disc, other),
@@ -115,6 +116,11 @@ impl<S: Scalar> Flights<S> {
         }))
     }
 
+    /// The meeting of a disc with a feature that it touches and approaches.
+    pub(super) fn touching(&self, disc: usize, feature: Feature) -> Meeting<S> {
+        self.meeting(disc, Encounter::now(), feature)
+    }
+
     /// The meeting that an encounter leads to, seen from where a disc is.
     #[inline]
     fn meeting(&self, start: usize, encounter: Encounter<S>, feature: Feature) -> Meeting<S> {
@@ -125,6 +131,25 @@ impl<S: Scalar> Flights<S> {
             overlap: encounter.overlap,
             moment: encounter.overlap.then_some(self.moment[start]),
         }
+    }
+
+    /// The order of two meetings in time, where numbers leave that open by
+    /// proof.
+    pub(super) fn order(
+        &self,
+        one: &Foreseen<'_, S>,
+        other: &Foreseen<'_, S>,
+        arbiter: &mut S::Arbiter,
+    ) -> Result<Ordering, S::Doubt>
+    where
+        S: Timed,
+    {
+        let moments = [one, other].map(|foreseen| foreseen.meeting.moment);
+        if moments[0].is_some() && moments[0] == moments[1] && !S::ROUNDS {
+            return Ok(Ordering::Equal);
+        }
+        let order = one.meeting.time.compare(&other.meeting.time);
+        order.or_else(|doubt| arbiter.order(self, one, other, doubt))
     }
 
     /// Where a disc is at a time, if nothing changes its motion.
@@ -167,6 +192,19 @@ impl<S: Scalar> Flights<S> {
         }
     }
 
+    /// The name of the time at which a disc is where the world says.
+    pub(super) fn moment_of(&self, disc: usize) -> u64 {
+        self.moment[disc]
+    }
+
+    /// Puts a disc at the start of some motion of it.
+    pub(super) fn set(&mut self, disc: usize, body: Disc<S>, since: S, turn: u64) {
+        self.world.discs[disc] = body;
+        self.since[disc] = since;
+        self.moment[disc] = turn;
+        self.turn[disc] = turn;
+    }
+
     /// The turn at which a feature changed last: walls never do.
     #[inline]
     pub(super) fn turn_of(&self, feature: Feature) -> u64 {
@@ -185,5 +223,34 @@ impl<S: Scalar> Flights<S> {
             self.moment[disc] = moment;
         }
         self.turn[disc] = turn;
+    }
+}
+
+impl Flights<Interval> {
+    /// A time before which a disc and an obstacle do not touch: of two discs
+    /// the gap between them, divided by their relative speed, from where they
+    /// are.
+    pub(super) fn apart_until(&self, disc: usize, obstacle: Obstacle) -> f64 {
+        let since = &self.since[disc];
+        let Obstacle::Disc(other) = obstacle else {
+            return since.lo();
+        };
+        let start = if since.lo() < self.since[other].lo() {
+            self.since[other]
+        } else {
+            *since
+        };
+        let [one, two] = [disc, other].map(|index| &self.world.discs[index]);
+        let offset = self
+            .position_at(other, &start)
+            .minus(&self.position_at(disc, &start));
+        let gap = offset.norm_squared().sqrt() - one.radius - two.radius;
+        let speed = two.velocity.minus(&one.velocity).norm_squared().sqrt();
+        let [least_gap, most_speed] = [gap.lo(), speed.hi()].map(|end| Interval::new(end, end));
+        if least_gap.lo() > 0.0 && most_speed.lo() > 0.0 {
+            (start + least_gap / most_speed).lo()
+        } else {
+            start.lo()
+        }
     }
 }

@@ -12,6 +12,7 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
+use super::arbiter::{Arbiter, Foreseen, Timed};
 use super::flight::{Flights, Meeting};
 use super::sweep::Sweep;
 use crate::body::Feature;
@@ -21,78 +22,145 @@ use crate::world::{Obstacle, World};
 /// The first meeting of a disc.
 #[derive(Clone, Debug)]
 pub(super) struct Forecast<S: Scalar> {
-    /// What is met.
-    pub(super) obstacle: Obstacle,
-    /// What of it is touched.
-    pub(super) feature: Feature,
     /// Binary64 bounds of the time.
     pub(super) bounds: Interval,
-    /// The meeting itself, unless bounds have sufficed so far: then it is an
-    /// impact with a delay.
-    pub(super) meeting: Option<Meeting<S>>,
-    /// The partner's turn that the forecast supposes.
-    partner_turn: u64,
+    pub(super) outlook: Outlook<S>,
     /// Why another meeting of the same disc could not be proven to be later.
     pub(super) contested: Option<S::Doubt>,
 }
 
-impl<S: Scalar> Forecast<S> {
-    fn bounded(obstacle: Obstacle, bounds: &Meeting<Interval>, flights: &Flights<S>) -> Self {
+/// How much of a disc's first meeting is known.
+#[derive(Clone, Debug)]
+pub(super) enum Outlook<S> {
+    /// Only that there is none before the lower bound of the time: it is left
+    /// for later to tell the candidates apart.
+    Open,
+    /// It is the impact on this, after a delay, of which the bounds of the
+    /// time have sufficed so far.
+    Bounded(Obstacle, Foresight),
+    /// All.
+    Computed(Meeting<S>, Foresight),
+}
+
+/// What is met, and the partner's turn that this supposes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Foresight {
+    pub(super) feature: Feature,
+    partner_turn: u64,
+}
+
+impl Foresight {
+    fn new<S: Scalar>(feature: Feature, flights: &Flights<S>) -> Self {
         Self {
-            obstacle,
-            feature: bounds.feature,
+            feature,
+            partner_turn: flights.turn_of(feature),
+        }
+    }
+}
+
+impl<S: Scalar> Forecast<S> {
+    fn open(earliest: f64, horizon: f64) -> Self {
+        Self {
+            bounds: Interval::new(earliest, horizon),
+            outlook: Outlook::Open,
+            contested: None,
+        }
+    }
+
+    fn bounded(obstacle: Obstacle, bounds: &Meeting<Interval>, flights: &Flights<S>) -> Self {
+        let foresight = Foresight::new(bounds.feature, flights);
+        Self {
             bounds: bounds.time,
-            meeting: None,
-            partner_turn: flights.turn_of(bounds.feature),
+            outlook: Outlook::Bounded(obstacle, foresight),
             contested: None,
         }
     }
 
     #[inline]
-    fn computed(obstacle: Obstacle, meeting: Meeting<S>, flights: &Flights<S>) -> Self {
+    fn computed(meeting: Meeting<S>, flights: &Flights<S>) -> Self {
+        let foresight = Foresight::new(meeting.feature, flights);
         Self {
-            obstacle,
-            feature: meeting.feature,
             bounds: meeting.time.hull(),
-            partner_turn: flights.turn_of(meeting.feature),
-            meeting: Some(meeting),
+            outlook: Outlook::Computed(meeting, foresight),
             contested: None,
+        }
+    }
+
+    /// What is met, unless that is open.
+    #[inline]
+    pub(super) fn feature(&self) -> Option<Feature> {
+        self.foresight().map(|foresight| foresight.feature)
+    }
+
+    #[inline]
+    fn foresight(&self) -> Option<Foresight> {
+        match &self.outlook {
+            Outlook::Open => None,
+            Outlook::Bounded(_, foresight) | Outlook::Computed(_, foresight) => Some(*foresight),
+        }
+    }
+
+    /// The meeting, if it is computed.
+    #[inline]
+    pub(super) fn meeting(&self) -> Option<&Meeting<S>> {
+        match &self.outlook {
+            Outlook::Computed(meeting, _) => Some(meeting),
+            Outlook::Open | Outlook::Bounded(..) => None,
         }
     }
 
     /// Whether the partner has changed since.
     #[inline]
     pub(super) fn is_stale(&self, flights: &Flights<S>) -> bool {
-        flights.turn_of(self.feature) != self.partner_turn
+        let changed =
+            |foresight: Foresight| flights.turn_of(foresight.feature) != foresight.partner_turn;
+        self.foresight().is_some_and(changed)
     }
 
     /// Whether the two only pass in tangency.
     #[inline]
     pub(super) fn is_graze(&self) -> bool {
-        self.meeting.as_ref().is_some_and(|meeting| meeting.graze)
+        self.meeting().is_some_and(|meeting| meeting.graze)
     }
+}
 
+impl<S: Timed> Forecast<S> {
     /// Computes the meeting of a disc, if bounds have sufficed so far.
-    pub(super) fn compute(&mut self, flights: &Flights<S>, disc: usize) -> Result<(), S::Doubt> {
-        if self.meeting.is_none() {
-            let meeting = meet(flights, disc, self.obstacle)?;
-            let meeting = meeting.expect("bounds prove that the two meet");
+    pub(super) fn compute(
+        &mut self,
+        flights: &Flights<S>,
+        disc: usize,
+        arbiter: &mut S::Arbiter,
+    ) -> Result<(), S::Doubt> {
+        if let Outlook::Bounded(obstacle, foresight) = self.outlook {
+            let met = meet(flights, disc, obstacle, arbiter)?;
+            let meeting = met.expect("bounds prove that the two meet");
             self.bounds = meeting.time.hull();
-            self.meeting = Some(meeting);
+            self.outlook = Outlook::Computed(meeting, foresight);
         }
         Ok(())
     }
 }
 
-/// When and where a disc meets an obstacle, or which of the two is in doubt.
+/// When and where a disc meets an obstacle, where numbers leave that open by
+/// proof.
 #[inline]
-fn meet<S: Scalar>(
+fn meet<S: Timed>(
     flights: &Flights<S>,
     disc: usize,
     obstacle: Obstacle,
+    arbiter: &mut S::Arbiter,
 ) -> Result<Option<Meeting<S>>, S::Doubt> {
-    let met = flights.meet(disc, obstacle);
-    met.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "meet")))
+    flights.meet(disc, obstacle).or_else(|doubt| {
+        let doubt = doubt.asking(|| obstacle.ask(disc, "meet"));
+        match flights.world.contact(disc, obstacle) {
+            Some(feature) => {
+                let approaches = arbiter.approaches(flights, disc, feature, doubt)?;
+                Ok(approaches.then(|| flights.touching(disc, feature)))
+            }
+            None => arbiter.meet(flights, disc, obstacle, doubt),
+        }
+    })
 }
 
 /// Whom a disc's forecast considers.
@@ -140,24 +208,29 @@ struct Bounds {
 #[derive(Clone, Debug)]
 struct Survivor {
     obstacle: Obstacle,
+    /// They do not meet before.
+    earliest: f64,
     /// The bounds of the meeting, unless they leave it open whether there is
     /// one.
     meeting: Option<Meeting<Interval>>,
 }
 
 impl Survivor {
-    fn may_be_before(&self, time: f64) -> bool {
-        self.meeting
-            .as_ref()
-            .is_none_or(|meeting| meeting.time.lo() <= time)
-    }
-
     /// The bounds, if they prove an impact with a delay.
     fn impact(&self) -> Option<&Meeting<Interval>> {
         self.meeting
             .as_ref()
             .filter(|meeting| !meeting.graze && !meeting.overlap)
     }
+}
+
+/// How far to go with a forecast.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Effort {
+    /// Only as far as bounds lead.
+    Bounds,
+    /// Until it is known what is met.
+    Numbers,
 }
 
 impl Forecaster {
@@ -179,29 +252,41 @@ impl Forecaster {
 
     /// The first meeting of a disc, but for those it `skips`, told by what is
     /// met and whether that overlaps already.
-    pub(super) fn forecast<S: Scalar>(
+    pub(super) fn forecast<S: Timed>(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
-        partners: Partners,
+        (partners, effort): (Partners, Effort),
+        arbiter: &mut S::Arbiter,
         skips: impl Fn(Feature, bool) -> bool,
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
-        let mut first = First::new(flights);
+        let horizon = self.horizon;
+        let mut first = First::new(flights, horizon);
+        let candidates = partners.of(&flights.world, disc);
         let Some(bounds) = &self.bounds else {
-            for obstacle in partners.of(&flights.world, disc) {
-                first.offer(disc, obstacle, self.horizon, &skips)?;
+            for obstacle in candidates {
+                first.offer(disc, obstacle, arbiter, &skips)?;
             }
             return Ok(first.finish(disc));
         };
-        let candidates = partners.of(&flights.world, disc);
         bounds.filter(disc, candidates, &mut self.survivors, &skips);
-        if let [Survivor { obstacle, .. }] = &self.survivors[..]
-            && let Some(meeting) = self.survivors[0].impact()
-        {
-            return Ok(Some(Forecast::bounded(*obstacle, meeting, flights)));
+        let earliest = |survivors: &[Survivor]| {
+            let times = survivors.iter().map(|survivor| survivor.earliest);
+            times.fold(f64::INFINITY, f64::min)
+        };
+        match &self.survivors[..] {
+            [] => return Ok(None),
+            [only] if only.impact().is_some() => {
+                let forecast = |meeting| Forecast::bounded(only.obstacle, meeting, flights);
+                return Ok(only.impact().map(forecast));
+            }
+            several if effort == Effort::Bounds => {
+                return Ok(Some(Forecast::open(earliest(several), horizon)));
+            }
+            _ => {}
         }
         for survivor in &self.survivors {
-            first.offer(disc, survivor.obstacle, self.horizon, &skips)?;
+            first.offer(disc, survivor.obstacle, arbiter, &skips)?;
         }
         Ok(first.finish(disc))
     }
@@ -239,34 +324,43 @@ impl Bounds {
             {
                 continue;
             }
-            let meeting = match self.flights.meet(disc, obstacle) {
+            let (earliest, meeting) = match self.flights.meet(disc, obstacle) {
                 Ok(None) => continue,
                 Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => continue,
-                Ok(Some(meeting)) if meeting.time.lo() > latest => continue,
-                Ok(Some(meeting)) => Some(meeting),
-                Err(_) => None,
+                Ok(Some(meeting)) => (meeting.time.lo(), Some(meeting)),
+                Err(_) => (self.flights.apart_until(disc, obstacle), None),
             };
+            if earliest > latest {
+                continue;
+            }
             if let Some(meeting) = &meeting {
                 latest = latest.min(meeting.time.hi());
             }
-            survivors.push(Survivor { obstacle, meeting });
+            survivors.push(Survivor {
+                obstacle,
+                earliest,
+                meeting,
+            });
         }
-        survivors.retain(|survivor| survivor.may_be_before(latest));
+        survivors.retain(|survivor| survivor.earliest <= latest);
     }
 }
 
 /// The first of a disc's meetings among those offered so far.
 struct First<'a, S: Scalar> {
     flights: &'a Flights<S>,
-    best: Option<(Obstacle, Meeting<S>)>,
+    /// No meeting after this is of interest.
+    horizon: f64,
+    best: Option<Meeting<S>>,
     /// Meetings of which it is open whether they are before the best one.
     rivals: Vec<(Meeting<S>, S::Doubt)>,
 }
 
-impl<'a, S: Scalar> First<'a, S> {
-    fn new(flights: &'a Flights<S>) -> Self {
+impl<'a, S: Timed> First<'a, S> {
+    fn new(flights: &'a Flights<S>, horizon: f64) -> Self {
         Self {
             flights,
+            horizon,
             best: None,
             rivals: Vec::new(),
         }
@@ -277,32 +371,31 @@ impl<'a, S: Scalar> First<'a, S> {
         &mut self,
         disc: usize,
         obstacle: Obstacle,
-        horizon: f64,
+        arbiter: &mut S::Arbiter,
         skips: impl Fn(Feature, bool) -> bool,
     ) -> Result<(), S::Doubt> {
-        let met = meet(self.flights, disc, obstacle)?;
+        let met = meet(self.flights, disc, obstacle, arbiter)?;
         let Some(meeting) = met.filter(|meeting| !skips(meeting.feature, meeting.overlap)) else {
             return Ok(());
         };
-        if meeting.time.hull().lo() <= horizon {
-            self.enter(disc, obstacle, meeting);
+        if meeting.time.hull().lo() <= self.horizon {
+            self.enter(disc, meeting, arbiter);
         }
         Ok(())
     }
 
-    fn enter(&mut self, disc: usize, obstacle: Obstacle, meeting: Meeting<S>) {
-        let Some((_, best)) = &self.best else {
-            self.best = Some((obstacle, meeting));
+    fn enter(&mut self, disc: usize, meeting: Meeting<S>, arbiter: &mut S::Arbiter) {
+        let Some(best) = &self.best else {
+            self.best = Some(meeting);
             return;
         };
         if best.feature == meeting.feature {
             return;
         }
-        match meeting.time.compare(&best.time) {
-            Ok(Less) => self.best = Some((obstacle, meeting)),
-            Ok(Equal) if self.precedes(disc, &meeting, best) => {
-                self.best = Some((obstacle, meeting));
-            }
+        let [one, other] = [&meeting, best].map(|meeting| Foreseen { disc, meeting });
+        match self.flights.order(&one, &other, arbiter) {
+            Ok(Less) => self.best = Some(meeting),
+            Ok(Equal) if self.precedes(disc, &meeting, best) => self.best = Some(meeting),
             Ok(Equal | Greater) => {}
             Err(doubt) => self.rivals.push((meeting, doubt)),
         }
@@ -316,7 +409,7 @@ impl<'a, S: Scalar> First<'a, S> {
 
     /// The first meeting, with the reason if a rival may still be before it.
     fn finish(self, disc: usize) -> Option<Forecast<S>> {
-        let (obstacle, best) = self.best?;
+        let best = self.best?;
         let open = |rival: &Meeting<S>| !matches!(rival.time.compare(&best.time), Ok(Greater));
         let rival = self.rivals.into_iter().find(|(rival, _)| open(rival));
         let contested = rival.map(|(rival, doubt)| {
@@ -324,7 +417,7 @@ impl<'a, S: Scalar> First<'a, S> {
                 [&best, &rival].map(|meeting| self.flights.world.names(disc, meeting.feature).0);
             doubt.asking(|| format!("whether {one} or {two} meet first"))
         });
-        let forecast = Forecast::computed(obstacle, best, self.flights);
+        let forecast = Forecast::computed(best, self.flights);
         Some(Forecast {
             contested,
             ..forecast

@@ -7,18 +7,19 @@
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::Timeline;
-use super::forecast::Forecast;
+use super::arbiter::{Arbiter, Foreseen, Timed};
+use super::forecast::{Effort, Forecast};
 use crate::body::{End, Pair};
 use crate::scalar::{Doubt, Scalar};
 
 /// A forecast as a candidate for the next impact.
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
-    disc: usize,
+    pub(super) disc: usize,
     names: (Pair, Option<End>),
 }
 
-impl<S: Scalar> Timeline<S> {
+impl<S: Timed> Timeline<S> {
     /// The disc whose forecast comes true next, if that is not after a limit.
     pub(super) fn first(&mut self, limit: &S) -> Result<Option<usize>, S::Doubt> {
         let latest = limit.hull().hi().min(f64::MAX);
@@ -47,17 +48,22 @@ impl<S: Scalar> Timeline<S> {
         self.queue.collect_up_to(end, &mut self.front);
     }
 
-    /// Makes one forecast of the front anew, if one no longer holds. One that
-    /// is still contested when it may come true ends the run.
+    /// Makes one forecast of the front anew, if one no longer holds, or does
+    /// not go far enough. One that is still contested when it may come true
+    /// ends the run.
     fn refresh(&mut self) -> Result<bool, S::Doubt> {
         if let Some(disc) = self.find(|timeline, disc, next| timeline.is_void(disc, next)) {
-            self.forecast(disc)?;
+            self.forecast(disc, Effort::Bounds)?;
+            return Ok(true);
+        }
+        if let Some(disc) = self.find(|_, _, next| next.feature().is_none()) {
+            self.forecast(disc, Effort::Numbers)?;
             return Ok(true);
         }
         let Some(disc) = self.find(|_, _, next| next.contested.is_some()) else {
             return Ok(false);
         };
-        self.forecast(disc)?;
+        self.forecast(disc, Effort::Numbers)?;
         let still = self.forecasts[disc].as_ref();
         match still.and_then(|next| next.contested.clone()) {
             Some(doubt) => Err(doubt),
@@ -78,15 +84,17 @@ impl<S: Scalar> Timeline<S> {
     /// Whether a forecast does not hold any more.
     #[inline]
     fn is_void(&self, disc: usize, next: &Forecast<S>) -> bool {
-        next.is_stale(&self.flights) || next.is_graze() && self.has_grazed(disc, next.feature)
+        let has_grazed = |feature| self.has_grazed(disc, feature);
+        next.is_stale(&self.flights) || next.is_graze() && next.feature().is_some_and(has_grazed)
     }
 
     /// Makes the front candidates, each pair once and in the order of names.
     fn nominate(&mut self) {
         self.candidates.clear();
         for &disc in &self.front {
-            if let Some(next) = &self.forecasts[disc] {
-                let names = self.flights.world.names(disc, next.feature);
+            let next = self.forecasts[disc].as_ref();
+            if let Some(feature) = next.and_then(Forecast::feature) {
+                let names = self.flights.world.names(disc, feature);
                 self.candidates.push(Candidate { disc, names });
             }
         }
@@ -107,37 +115,41 @@ impl<S: Scalar> Timeline<S> {
     }
 
     /// Computes a forecast, if it is known by bounds alone.
-    fn compute(&mut self, disc: usize) -> Result<bool, S::Doubt> {
-        let Some(next) = &mut self.forecasts[disc] else {
-            return Ok(false);
-        };
-        if next.meeting.is_some() {
-            return Ok(false);
+    pub(super) fn compute(&mut self, disc: usize) -> Result<bool, S::Doubt> {
+        match &mut self.forecasts[disc] {
+            Some(next) if next.meeting().is_none() => {
+                next.compute(&self.flights, disc, &mut self.arbiter)?;
+                self.queue.set(disc, next.bounds.lo());
+                Ok(true)
+            }
+            _ => Ok(false),
         }
-        next.compute(&self.flights, disc)?;
-        self.queue.set(disc, next.bounds.lo());
-        Ok(true)
     }
 
     /// The candidate that comes first; of those at one time, by name.
-    fn choose(&self) -> Result<usize, S::Doubt> {
+    fn choose(&mut self) -> Result<usize, S::Doubt> {
         let mut first = &self.candidates[0];
         for candidate in &self.candidates[1..] {
-            match self.time(candidate.disc).compare(self.time(first.disc)) {
+            let times = [candidate, first].map(|one| &self.foreseen(one).meeting.time);
+            match times[0].compare(times[1]) {
                 Ok(Less) => first = candidate,
                 Ok(Equal | Greater) => {}
-                Err(_) => return self.choose_among_commuting(),
+                Err(_) => return self.choose_by_proof(),
             }
         }
         Ok(first.disc)
     }
 
-    /// A candidate that none precedes, where not every order is decided.
-    fn choose_among_commuting(&self) -> Result<usize, S::Doubt> {
+    /// A candidate that none precedes, where numbers do not decide every
+    /// order.
+    fn choose_by_proof(&mut self) -> Result<usize, S::Doubt> {
         let mut doubt = None;
-        for candidate in &self.candidates {
-            match self.is_preceded(candidate) {
-                Ok(false) => return Ok(candidate.disc),
+        for place in 0..self.candidates.len() {
+            match self.is_preceded(place) {
+                Ok(false) => {
+                    self.note_ties(place);
+                    return Ok(self.candidates[place].disc);
+                }
                 Ok(true) => {}
                 Err(open) => doubt = doubt.or(Some(open)),
             }
@@ -146,9 +158,9 @@ impl<S: Scalar> Timeline<S> {
         doubt.map_or(Ok(self.candidates[0].disc), Err)
     }
 
-    fn is_preceded(&self, one: &Candidate) -> Result<bool, S::Doubt> {
-        for other in &self.candidates {
-            if one.names != other.names && self.order(other, one)? == Less {
+    fn is_preceded(&mut self, place: usize) -> Result<bool, S::Doubt> {
+        for other in 0..self.candidates.len() {
+            if other != place && self.order(other, place)? == Less {
                 return Ok(true);
             }
         }
@@ -156,11 +168,14 @@ impl<S: Scalar> Timeline<S> {
     }
 
     /// The order of two candidates in time; none has to be if they commute.
-    fn order(&self, one: &Candidate, other: &Candidate) -> Result<Ordering, S::Doubt> {
-        let [first, second] = [one, other].map(|candidate| self.time(candidate.disc));
-        first.compare(second).or_else(|doubt| {
+    fn order(&mut self, one: usize, other: usize) -> Result<Ordering, S::Doubt> {
+        let [one, other] = [one, other].map(|place| self.candidates[place].clone());
+        let [first, second] = [&one, &other].map(|one| foreseen(&self.forecasts, one));
+        let order = self.flights.order(&first, &second, &mut self.arbiter);
+        order.or_else(|doubt| {
             let commute = !one.names.0.shares_disc(&other.names.0);
-            if commute && self.is_negligible(&(first.clone() - second)) {
+            let apart = first.meeting.time.clone() - &second.meeting.time;
+            if commute && is_negligible(&apart, self.negligible) {
                 return Ok(Equal);
             }
             let (first, second) = (one.names.0, other.names.0);
@@ -168,16 +183,33 @@ impl<S: Scalar> Timeline<S> {
         })
     }
 
-    fn is_negligible(&self, apart: &S) -> bool {
-        let apart = apart.hull();
-        -self.negligible <= apart.lo() && apart.hi() <= self.negligible
+    /// Notes which candidates it takes a proof to know as simultaneous with
+    /// the first one. Tangent passes change nothing, whatever their order.
+    fn note_ties(&mut self, first: usize) {
+        for other in 0..self.candidates.len() {
+            if other != first && self.are_tied(first, other) {
+                self.tied.push(self.candidates[other].disc);
+            }
+        }
     }
 
-    /// The time of a candidate among several.
-    fn time(&self, disc: usize) -> &S {
-        let next = self.forecasts[disc].as_ref();
-        let meeting = next.and_then(|next| next.meeting.as_ref());
-        &meeting.expect("candidates are computed").time
+    fn are_tied(&mut self, one: usize, other: usize) -> bool {
+        let [one, other] = [one, other].map(|place| &self.candidates[place]);
+        let [one, other] = [one, other].map(|one| foreseen(&self.forecasts, one));
+        let [first, second] = [&one, &other].map(|met| met.meeting);
+        !first.graze
+            && !second.graze
+            && (first.moment.is_none() || first.moment != second.moment)
+            && first.time.compare(&second.time).is_err()
+            && matches!(
+                self.flights.order(&one, &other, &mut self.arbiter),
+                Ok(Equal)
+            )
+    }
+
+    /// What a candidate among several comes to.
+    fn foreseen(&self, candidate: &Candidate) -> Foreseen<'_, S> {
+        foreseen(&self.forecasts, candidate)
     }
 
     /// Whether a forecast comes true no later than a limit; none if it had to
@@ -188,12 +220,32 @@ impl<S: Scalar> Timeline<S> {
         if next.bounds.hi() <= limit.hull().lo() {
             return Ok(Some(true));
         }
-        let Some(meeting) = &next.meeting else {
+        let Some(meeting) = next.meeting() else {
             return self.compute(disc).map(|_| None);
         };
-        let order = meeting.time.compare(limit);
-        let asking = || format!("whether d{disc} meets anything before the end");
-        let order = order.map_err(|doubt| doubt.asking(asking))?;
+        let order = meeting.time.compare(limit).or_else(|doubt| {
+            let doubt = doubt.asking(|| format!("whether d{disc} meets anything before the end"));
+            let met = Foreseen { disc, meeting };
+            self.arbiter.order_to(&self.flights, &met, limit, doubt)
+        })?;
         Ok(Some(order != Greater))
     }
+}
+
+/// What a candidate among several comes to.
+fn foreseen<'a, S: Scalar>(
+    forecasts: &'a [Option<Forecast<S>>],
+    candidate: &Candidate,
+) -> Foreseen<'a, S> {
+    let next = forecasts[candidate.disc].as_ref();
+    let meeting = next.and_then(Forecast::meeting);
+    Foreseen {
+        disc: candidate.disc,
+        meeting: meeting.expect("candidates are computed"),
+    }
+}
+
+fn is_negligible<S: Scalar>(apart: &S, limit: f64) -> bool {
+    let apart = apart.hull();
+    -limit <= apart.lo() && apart.hi() <= limit
 }

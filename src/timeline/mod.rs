@@ -11,27 +11,32 @@
 //! Simultaneous impacts follow the `sequential` rule (D17): one pair at a time,
 //! in the order of their names, until no touching pair approaches.
 
+mod arbiter;
 mod flight;
 mod forecast;
 mod front;
 mod nested;
 mod queue;
 mod sweep;
+mod ties;
 
 use crate::body::{Disc, Feature};
 use crate::impact::Impact;
-use crate::scalar::Scalar;
+use crate::symmetry::Symmetry;
 use crate::world::World;
+pub use arbiter::Timed;
+use arbiter::{Arbiter, Foreseen};
 use flight::{Flights, Meeting};
-use forecast::{Forecast, Forecaster, Partners};
+use forecast::{Effort, Forecast, Forecaster, Outlook, Partners};
 use front::Candidate;
 use nested::Nested;
 use queue::Queue;
 
 /// The exact, event-driven run of a scene.
 #[derive(Clone, Debug)]
-pub struct Timeline<S: Scalar> {
+pub struct Timeline<S: Timed> {
     flights: Flights<S>,
+    arbiter: S::Arbiter,
     forecaster: Forecaster,
     forecasts: Vec<Option<Forecast<S>>>,
     /// The forecasts' lower bounds.
@@ -39,6 +44,9 @@ pub struct Timeline<S: Scalar> {
     /// The discs whose forecasts may be the first, and what they come to.
     front: Vec<usize>,
     candidates: Vec<Candidate>,
+    /// The discs of which it took a proof that what they meet first happens at
+    /// the time of the first impact of all.
+    tied: Vec<usize>,
     /// What each disc has grazed since it last changed, and the partner's
     /// turn then.
     grazed: Vec<Vec<(Feature, u64)>>,
@@ -49,23 +57,39 @@ pub struct Timeline<S: Scalar> {
     negligible: f64,
 }
 
-impl<S: Scalar> Timeline<S> {
+impl<S: Timed> Timeline<S> {
     /// The run of a world from time zero to `until`.
     ///
     /// # Errors
     ///
     /// It cannot be decided what the discs meet first.
     pub fn new(world: World<S>, until: &S) -> Result<Self, S::Doubt> {
+        Self::with_symmetries(world, until, &[])
+    }
+
+    /// The run of a world that is known to have these symmetries.
+    ///
+    /// # Errors
+    ///
+    /// It cannot be decided what the discs meet first.
+    pub(crate) fn with_symmetries(
+        world: World<S>,
+        until: &S,
+        symmetries: &[Symmetry],
+    ) -> Result<Self, S::Doubt> {
         let count = world.discs.len();
         let nested = Nested::find(&world);
+        let arbiter = S::Arbiter::new(&world, symmetries);
         let flights = Flights::new(world);
         let mut timeline = Self {
             forecaster: Forecaster::new(&flights, until),
             flights,
+            arbiter,
             forecasts: vec![None; count],
             queue: Queue::new(count),
             front: Vec::new(),
             candidates: Vec::new(),
+            tied: Vec::new(),
             grazed: vec![Vec::new(); count],
             nested,
             now: S::from_integer(0),
@@ -74,7 +98,7 @@ impl<S: Scalar> Timeline<S> {
             negligible: until.hull().hi() * 2f64.powi(-1000),
         };
         for disc in 0..count {
-            timeline.forecast_with(disc, Partners::Later)?;
+            timeline.forecast_with(disc, Partners::Later, Effort::Bounds)?;
         }
         Ok(timeline)
     }
@@ -86,13 +110,18 @@ impl<S: Scalar> Timeline<S> {
     /// It cannot be decided which impact is the next.
     pub fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
         while let Some(disc) = self.first(limit)? {
-            let Some(mut forecast) = self.forecasts[disc].take() else {
+            self.compute(disc)?;
+            if !self.tied.is_empty() {
+                self.gather(disc)?;
+                continue;
+            }
+            let next = self.forecasts[disc].take();
+            let Some(Outlook::Computed(meeting, _)) = next.map(|next| next.outlook) else {
                 break;
             };
-            forecast.compute(&self.flights, disc)?;
-            if forecast.is_graze() {
-                self.pass(disc, forecast.feature)?;
-            } else if let Some(meeting) = forecast.meeting {
+            if meeting.graze {
+                self.pass(disc, meeting.feature)?;
+            } else {
                 return self.resolve(disc, meeting).map(Some);
             }
         }
@@ -128,7 +157,7 @@ impl<S: Scalar> Timeline<S> {
         if let Feature::Disc(other) = feature {
             self.note_graze(other as usize, Feature::Disc(disc as u32));
         }
-        self.forecast(disc)
+        self.forecast(disc, Effort::Bounds)
     }
 
     fn note_graze(&mut self, disc: usize, feature: Feature) {
@@ -144,11 +173,18 @@ impl<S: Scalar> Timeline<S> {
     /// Resolves an impact, and forecasts what comes of it.
     fn resolve(&mut self, disc: usize, meeting: Meeting<S>) -> Result<Impact<S>, S::Doubt> {
         let (disc, feature) = in_order(disc, meeting.feature);
-        let time = meeting.time.not_before(&self.now);
+        let meeting = Meeting { feature, ..meeting };
         self.turn += 1;
         // A rounded time may have been lifted: it is none that has a name.
         let named = meeting.moment.filter(|_| !S::ROUNDS);
         let moment = named.unwrap_or(self.turn);
+        let met = Foreseen {
+            disc,
+            meeting: &meeting,
+        };
+        let changed = self.changed(disc, feature);
+        self.arbiter.note(&met, changed, moment);
+        let time = meeting.time.not_before(&self.now);
         for changed in self.movable(disc, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
         }
@@ -163,11 +199,12 @@ impl<S: Scalar> Timeline<S> {
             self.forecaster.update(&self.flights, changed);
         }
         for changed in self.movable(disc, feature) {
-            self.forecast(changed)?;
+            self.forecast(changed, Effort::Bounds)?;
         }
         self.now = time.clone();
         Ok(Impact {
             time,
+            moment: Some(moment),
             other_time: None,
             pair,
             end,
@@ -179,21 +216,30 @@ impl<S: Scalar> Timeline<S> {
 
     /// The discs that an impact changes.
     fn movable(&self, disc: usize, feature: Feature) -> impl Iterator<Item = usize> + use<S> {
+        self.changed(disc, feature).into_iter().flatten()
+    }
+
+    /// Those of its first and of its second body that an impact changes.
+    fn changed(&self, disc: usize, feature: Feature) -> [Option<usize>; 2] {
         let other = match feature {
             Feature::Disc(other) => Some(other as usize),
             Feature::Wall(_) | Feature::Corner(_) => None,
         };
         let discs = &self.flights.world.discs;
         let changes = |index: &usize| discs[*index].is_movable();
-        let changed = [Some(disc).filter(changes), other.filter(changes)];
-        changed.into_iter().flatten()
+        [Some(disc).filter(changes), other.filter(changes)]
     }
 
-    fn forecast(&mut self, disc: usize) -> Result<(), S::Doubt> {
-        self.forecast_with(disc, Partners::All)
+    fn forecast(&mut self, disc: usize, effort: Effort) -> Result<(), S::Doubt> {
+        self.forecast_with(disc, Partners::All, effort)
     }
 
-    fn forecast_with(&mut self, disc: usize, partners: Partners) -> Result<(), S::Doubt> {
+    fn forecast_with(
+        &mut self,
+        disc: usize,
+        partners: Partners,
+        effort: Effort,
+    ) -> Result<(), S::Doubt> {
         let (flights, grazed, nested) = (&self.flights, &self.grazed[disc], &self.nested);
         let skips = |feature, overlap| {
             let grazed =
@@ -201,7 +247,10 @@ impl<S: Scalar> Timeline<S> {
             grazed || overlap && nested.holds(&flights.world, disc, feature)
         };
         let next = if flights.world.discs[disc].is_movable() {
-            self.forecaster.forecast(flights, disc, partners, skips)?
+            let arbiter = &mut self.arbiter;
+            let scope = (partners, effort);
+            self.forecaster
+                .forecast(flights, disc, scope, arbiter, skips)?
         } else {
             None
         };

@@ -34,6 +34,27 @@ impl<S: Scalar> World<S> {
         }
     }
 
+    /// The same bodies in another arithmetic, each number made from its
+    /// counterpart. What touches by construction is left out.
+    pub(crate) fn rebuilt<T: Scalar>(&self, make: impl Fn(&S) -> T) -> World<T> {
+        let wall = |wall: &Wall<S>| {
+            let Segment {
+                from, to, along, ..
+            } = &wall.segment;
+            Wall {
+                segment: Segment::new(from.map(&make), to.map(&make), along.map(&make)),
+                corners: wall.corners,
+            }
+        };
+        World {
+            discs: self.discs.iter().map(|disc| disc.map(&make)).collect(),
+            walls: self.walls.iter().map(wall).collect(),
+            corners: self.corners.clone(),
+            restitution: self.restitution.map(&make),
+            contacts: Contacts::none(self.discs.len()),
+        }
+    }
+
     /// Binary64 bounds of everything. What touches by construction is left
     /// out: bounds leave that open.
     pub fn hull(&self) -> World<Interval> {

@@ -3,9 +3,9 @@
 mod build;
 mod touch;
 
-use crate::body::{BodyId, Disc, End, Feature, Pair, Wall};
+use crate::body::{BodyId, Disc, End, Feature, Mass, Pair, Wall};
 use crate::contacts::Contacts;
-use crate::detect::{Encounter, meet_circle, meet_segment};
+use crate::detect::{Encounter, Segment, meet_circle, meet_segment};
 use crate::respond::Restitution;
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
@@ -101,6 +101,28 @@ impl<S: Scalar> World<S> {
         walls
             .chain(discs)
             .filter(move |&obstacle| !self.is_barred(disc, obstacle))
+    }
+
+    /// All numbers that the bodies are given by.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = &S> {
+        let discs = self.discs.iter().flat_map(|disc| {
+            let mass = match &disc.mass {
+                Mass::Finite(mass) => Some(mass),
+                Mass::Infinite => None,
+            };
+            let vectors = [&disc.position, &disc.velocity].into_iter();
+            let coordinates = vectors.flat_map(|vector| [&vector.x, &vector.y]);
+            coordinates.chain([&disc.radius]).chain(mass)
+        });
+        let walls = self.walls.iter().flat_map(|wall| {
+            let Segment {
+                from, to, along, ..
+            } = &wall.segment;
+            [from, to, along]
+                .into_iter()
+                .flat_map(|vector| [&vector.x, &vector.y])
+        });
+        discs.chain(walls).chain(self.restitution.numbers())
     }
 
     /// Moves a disc freely for a time.

@@ -1,0 +1,187 @@
+//! The arbiter of exact numbers: symmetry, then algebra.
+
+use std::cmp::Ordering::{self, Equal};
+
+use super::history::{Cause, History};
+use super::images::Images;
+use super::replay::Replay;
+use super::{Arbiter, Foreseen};
+use crate::algebra::{Expression, Limits};
+use crate::body::Feature;
+use crate::scalar::{Exact, Interval, Scalar, Undecided};
+use crate::symmetry::Symmetry;
+use crate::timeline::flight::{Flights, Meeting};
+use crate::vec2::Vec2;
+use crate::world::{Obstacle, World};
+
+/// Decides by symmetry and by algebra.
+#[derive(Clone, Debug)]
+pub struct Algebra {
+    history: History,
+    images: Images,
+    /// None if some number of the world is only enclosed.
+    replay: Option<Replay>,
+    /// The names of the times at which the discs' legs begin.
+    moments: Vec<u64>,
+}
+
+impl Arbiter<Exact> for Algebra {
+    fn new(world: &World<Exact>, symmetries: &[Symmetry]) -> Self {
+        let discs = world.discs.len();
+        Self {
+            history: History::new(discs),
+            images: Images::new(symmetries.to_vec()),
+            replay: Replay::new(world, Limits::default()),
+            moments: vec![0; discs],
+        }
+    }
+
+    fn note(&mut self, met: &Foreseen<'_, Exact>, changed: [Option<usize>; 2], moment: u64) {
+        let cause = self.cause(met);
+        let leg = self.history.note(cause, changed);
+        self.images.note(cause, leg);
+        for disc in changed.into_iter().flatten() {
+            self.moments[disc] = moment;
+        }
+    }
+
+    fn order(
+        &mut self,
+        flights: &Flights<Exact>,
+        one: &Foreseen<'_, Exact>,
+        other: &Foreseen<'_, Exact>,
+        doubt: Undecided,
+    ) -> Result<Ordering, Undecided> {
+        let causes = [self.cause(one), self.cause(other)];
+        if self.images.are_simultaneous(causes[0], causes[1]) {
+            return Ok(Equal);
+        }
+        let are_sharp = [one, other]
+            .iter()
+            .all(|met| is_sharp(flights, met.disc, met.meeting.feature));
+        let replay = self.replay.as_mut().filter(|_| are_sharp);
+        let Some(replay) = replay else {
+            return Err(doubt);
+        };
+        let mut time = |cause| replay.time(&self.history, cause);
+        let order = time(causes[0]).and_then(|first| first.compare(&time(causes[1])?));
+        order.map_err(|open| doubt.after(open))
+    }
+
+    fn order_to(
+        &mut self,
+        flights: &Flights<Exact>,
+        one: &Foreseen<'_, Exact>,
+        time: &Exact,
+        doubt: Undecided,
+    ) -> Result<Ordering, Undecided> {
+        let cause = self.cause(one);
+        let limit = Expression::from_exact(time, Limits::default());
+        let is_sharp = is_sharp(flights, one.disc, one.meeting.feature);
+        let replay = self.replay.as_mut().filter(|_| is_sharp);
+        let (Some(replay), Some(limit)) = (replay, limit) else {
+            return Err(doubt);
+        };
+        let order = replay.time(&self.history, cause);
+        let order = order.and_then(|time| time.compare(&limit));
+        order.map_err(|open| doubt.after(open))
+    }
+
+    fn meet(
+        &mut self,
+        flights: &Flights<Exact>,
+        disc: usize,
+        obstacle: Obstacle,
+        doubt: Undecided,
+    ) -> Result<Option<Meeting<Exact>>, Undecided> {
+        let feature = match obstacle {
+            Obstacle::Disc(other) => Feature::Disc(other as u32),
+            Obstacle::Wall(wall) => Feature::Wall(wall as u32),
+        };
+        let replay = self.replay.as_mut();
+        let Some(replay) = replay.filter(|_| is_sharp(flights, disc, feature)) else {
+            return Err(doubt);
+        };
+        let cause = self.history.cause(disc, feature, false);
+        let met = replay.meet(&self.history, cause);
+        let met = met.map_err(|open| doubt.after(open))?;
+        let moment = flights.moment_of(self.later(disc, feature));
+        Ok(met.map(|meeting| adopt(meeting, moment)))
+    }
+
+    /// Only where the later of the two has touched since its leg began.
+    fn approaches(
+        &mut self,
+        flights: &Flights<Exact>,
+        disc: usize,
+        feature: Feature,
+        doubt: Undecided,
+    ) -> Result<bool, Undecided> {
+        let cause = self.history.cause(disc, feature, true);
+        let later = self.later(disc, feature);
+        let is_here = flights.moment_of(disc) == self.moments[later];
+        let replay = self.replay.as_mut();
+        match replay.filter(|_| is_here && is_sharp(flights, disc, feature)) {
+            Some(replay) => replay
+                .approach(&self.history, cause)
+                .map_err(|open| doubt.after(open)),
+            None => Err(doubt),
+        }
+    }
+}
+
+impl Algebra {
+    /// What collides, and whether it touches already where the later leg
+    /// begins.
+    fn cause(&self, met: &Foreseen<'_, Exact>) -> Cause {
+        let (disc, feature) = (met.disc, met.meeting.feature);
+        let later = self.later(disc, feature);
+        let at_once = met.meeting.moment == Some(self.moments[later]);
+        self.history.cause(disc, feature, at_once)
+    }
+
+    /// The body of the two whose leg began later.
+    fn later(&self, disc: usize, feature: Feature) -> usize {
+        match feature {
+            Feature::Disc(other) => {
+                let other = other as usize;
+                [disc, other][usize::from(self.history.leg(other) > self.history.leg(disc))]
+            }
+            Feature::Wall(_) | Feature::Corner(_) => disc,
+        }
+    }
+}
+
+/// A meeting found by algebra, in enclosures again.
+fn adopt(meeting: Meeting<Expression>, moment: u64) -> Meeting<Exact> {
+    Meeting {
+        time: meeting.time.to_exact(),
+        feature: meeting.feature,
+        graze: meeting.graze,
+        overlap: meeting.overlap,
+        moment: meeting.overlap.then_some(moment),
+    }
+}
+
+/// Whether enclosures of the bodies' motions are so narrow that what they
+/// leave open is worth an effort. Where they are not, it is for more bits to
+/// decide.
+fn is_sharp(flights: &Flights<Exact>, disc: usize, feature: Feature) -> bool {
+    let is_sharp = |disc: usize| {
+        let body = &flights.world.discs[disc];
+        [&body.position, &body.velocity].into_iter().all(is_narrow)
+    };
+    is_sharp(disc) && !matches!(feature, Feature::Disc(other) if !is_sharp(other as usize))
+}
+
+/// Whether the bounds of a vector are close together, measured by its length.
+fn is_narrow(vector: &Vec2<Exact>) -> bool {
+    let bounds = [&vector.x, &vector.y].map(Exact::hull);
+    let width = |bounds: Interval| bounds.hi() - bounds.lo();
+    let size = |bounds: Interval| bounds.hi().abs().max(bounds.lo().abs());
+    let [width, size] = [bounds.map(width), bounds.map(size)].map(|[x, y]| x.max(y));
+    width <= size * NARROW
+}
+
+/// A few times the precision of binary64, in which bounds are looked at.
+const NARROW: f64 = 16.0 * f64::EPSILON;

@@ -1,0 +1,146 @@
+//! Decisions that enclosures leave open, made by proof.
+//!
+//! Enclosures tell what differs. That two impacts are simultaneous, that bodies
+//! touch, or pass in tangency, they cannot prove at any precision. Where it
+//! seems so, an [`Arbiter`] is asked. The one of [`Exact`] numbers tries, in
+//! this order,
+//!
+//! 1. the **symmetries** of the scene: what one of them maps onto each other
+//!    happens at the same time, at any depth;
+//! 2. **algebra**: the causal cone of the question is computed again in
+//!    [`Expression`](crate::algebra::Expression)s, by the same code, and they decide.
+//!
+//! What neither settles stays in doubt. Binary64 decides everything itself.
+
+mod algebra;
+mod history;
+mod images;
+mod replay;
+
+use std::cmp::Ordering;
+use std::fmt::Debug;
+
+use super::flight::{Flights, Meeting};
+use crate::body::Feature;
+use crate::scalar::{Exact, Scalar};
+use crate::symmetry::Symmetry;
+use crate::world::{Obstacle, World};
+pub(super) use algebra::Algebra;
+
+/// Numbers that a timeline can be computed with.
+pub trait Timed: Scalar {
+    /// Who decides what the numbers themselves do not.
+    type Arbiter: Arbiter<Self>;
+}
+
+impl Timed for f64 {
+    type Arbiter = Nobody;
+}
+
+impl Timed for Exact {
+    type Arbiter = Algebra;
+}
+
+/// A meeting that has been forecast for a disc.
+pub struct Foreseen<'a, S> {
+    pub(super) disc: usize,
+    pub(super) meeting: &'a Meeting<S>,
+}
+
+/// Who is asked when a decision is in doubt: it decides, or hands back the
+/// doubt.
+pub trait Arbiter<S: Scalar>: Clone + Debug + Send + Sync {
+    /// The arbiter of a world at its start, and of the symmetries that it has.
+    fn new(world: &World<S>, symmetries: &[Symmetry]) -> Self;
+
+    /// Takes note of an impact that is about to change these discs.
+    fn note(&mut self, met: &Foreseen<'_, S>, changed: [Option<usize>; 2], moment: u64);
+
+    /// Which of two meetings comes first.
+    fn order(
+        &mut self,
+        flights: &Flights<S>,
+        one: &Foreseen<'_, S>,
+        other: &Foreseen<'_, S>,
+        doubt: S::Doubt,
+    ) -> Result<Ordering, S::Doubt>;
+
+    /// Which comes first, a meeting or a time that is known exactly.
+    fn order_to(
+        &mut self,
+        flights: &Flights<S>,
+        one: &Foreseen<'_, S>,
+        time: &S,
+        doubt: S::Doubt,
+    ) -> Result<Ordering, S::Doubt>;
+
+    /// When and where a disc meets an obstacle.
+    fn meet(
+        &mut self,
+        flights: &Flights<S>,
+        disc: usize,
+        obstacle: Obstacle,
+        doubt: S::Doubt,
+    ) -> Result<Option<Meeting<S>>, S::Doubt>;
+
+    /// Whether a disc moves towards a feature that it touches.
+    fn approaches(
+        &mut self,
+        flights: &Flights<S>,
+        disc: usize,
+        feature: Feature,
+        doubt: S::Doubt,
+    ) -> Result<bool, S::Doubt>;
+}
+
+/// The arbiter where there is nothing to decide.
+#[derive(Clone, Debug)]
+pub struct Nobody;
+
+impl<S: Scalar> Arbiter<S> for Nobody {
+    fn new(_: &World<S>, _: &[Symmetry]) -> Self {
+        Self
+    }
+
+    fn note(&mut self, _: &Foreseen<'_, S>, _: [Option<usize>; 2], _: u64) {}
+
+    fn order(
+        &mut self,
+        _: &Flights<S>,
+        _: &Foreseen<'_, S>,
+        _: &Foreseen<'_, S>,
+        doubt: S::Doubt,
+    ) -> Result<Ordering, S::Doubt> {
+        Err(doubt)
+    }
+
+    fn order_to(
+        &mut self,
+        _: &Flights<S>,
+        _: &Foreseen<'_, S>,
+        _: &S,
+        doubt: S::Doubt,
+    ) -> Result<Ordering, S::Doubt> {
+        Err(doubt)
+    }
+
+    fn meet(
+        &mut self,
+        _: &Flights<S>,
+        _: usize,
+        _: Obstacle,
+        doubt: S::Doubt,
+    ) -> Result<Option<Meeting<S>>, S::Doubt> {
+        Err(doubt)
+    }
+
+    fn approaches(
+        &mut self,
+        _: &Flights<S>,
+        _: usize,
+        _: Feature,
+        doubt: S::Doubt,
+    ) -> Result<bool, S::Doubt> {
+        Err(doubt)
+    }
+}

@@ -1,0 +1,209 @@
+//! Legs computed again in expressions, each when it is asked for.
+
+use std::collections::HashMap;
+
+use super::history::{Cause, History, Leg, Origin, Partner, Side};
+use crate::algebra::{Expression, Limits};
+use crate::body::{Disc, Feature};
+use crate::scalar::{Exact, Scalar, Undecided};
+use crate::timeline::flight::{Flights, Meeting};
+use crate::world::{Obstacle, World};
+
+/// The most legs that one question may lead to.
+const MOST_LEGS: usize = 256;
+
+/// The bodies of a scene on those of their legs that have been asked for.
+#[derive(Clone, Debug)]
+pub(super) struct Replay {
+    /// Where bodies are put to meet; between questions, anywhere.
+    stage: Flights<Expression>,
+    legs: HashMap<Leg, Body>,
+}
+
+/// A disc at the start of one of its legs.
+#[derive(Clone, Debug)]
+struct Body {
+    index: usize,
+    disc: Disc<Expression>,
+    since: Expression,
+}
+
+impl Replay {
+    /// The start of a world, if all its numbers are known as rationals.
+    pub(super) fn new(world: &World<Exact>, limits: Limits) -> Option<Self> {
+        let known = |number: &Exact| Expression::from_exact(number, limits);
+        if world.numbers().any(|number| known(number).is_none()) {
+            return None;
+        }
+        let number = |number: &Exact| known(number).expect("all of them are known");
+        let stage = Flights::new(world.rebuilt(number));
+        let starts = stage.world.discs.iter().enumerate();
+        let legs = starts.map(|(index, disc)| {
+            let body = Body {
+                index,
+                disc: disc.clone(),
+                since: Expression::from_integer(0),
+            };
+            (Leg::first_of(index as u32), body)
+        });
+        Some(Self {
+            legs: legs.collect(),
+            stage,
+        })
+    }
+
+    /// When and where the bodies of a cause meet, moving freely.
+    pub(super) fn meet(
+        &mut self,
+        history: &History,
+        cause: Cause,
+    ) -> Result<Option<Meeting<Expression>>, Undecided> {
+        self.compute(history, cause)?;
+        self.set(cause);
+        let disc = self.legs[&cause.leg].index;
+        match self.feature(cause.partner) {
+            Feature::Disc(other) => self.stage.meet(disc, Obstacle::Disc(other as usize)),
+            Feature::Wall(wall) => self.stage.meet(disc, Obstacle::Wall(wall as usize)),
+            Feature::Corner(corner) => {
+                let wall = self.stage.world.corners[corner as usize].wall;
+                self.stage.meet(disc, Obstacle::Wall(wall as usize))
+            }
+        }
+    }
+
+    /// The time of an impact.
+    pub(super) fn time(
+        &mut self,
+        history: &History,
+        cause: Cause,
+    ) -> Result<Expression, Undecided> {
+        if cause.at_once {
+            self.compute(history, cause)?;
+            return Ok(self.legs[&cause.later()].since.clone());
+        }
+        let met = self.meet(history, cause)?;
+        let feature = self.feature(cause.partner);
+        let met = met.filter(|meeting| meeting.feature == feature);
+        met.map(|meeting| meeting.time)
+            .ok_or_else(|| open("an impact that was taken for another"))
+    }
+
+    /// Whether bodies that touch at the start of the later one's leg approach.
+    pub(super) fn approach(&mut self, history: &History, cause: Cause) -> Result<bool, Undecided> {
+        self.compute(history, cause)?;
+        self.set(cause);
+        let time = self.legs[&cause.later()].since.clone();
+        self.bring(cause, &time);
+        let (disc, feature) = (self.legs[&cause.leg].index, self.feature(cause.partner));
+        let place = self.stage.place(disc, feature, &time, true);
+        self.stage.world.approaches(disc, feature, &place.other)
+    }
+
+    /// Computes the legs of a cause, and all that lead to them.
+    fn compute(&mut self, history: &History, cause: Cause) -> Result<(), Undecided> {
+        let mut pending: Vec<Leg> = cause.legs().collect();
+        let mut count = 0;
+        while let Some(&leg) = pending.last() {
+            let missing = self.missing(history, leg);
+            match missing {
+                Some(Missing::Causes(legs)) => pending.extend(legs),
+                Some(Missing::Impact(cause)) => {
+                    self.impact(history, leg, cause)?;
+                    count += 1;
+                    pending.pop();
+                }
+                None => {
+                    pending.pop();
+                }
+            }
+            if count > MOST_LEGS || pending.len() > MOST_LEGS {
+                return Err(open("a number that too many impacts lead to"));
+            }
+        }
+        Ok(())
+    }
+
+    /// What is to be computed before a leg is known, or to make it known.
+    fn missing(&self, history: &History, leg: Leg) -> Option<Missing> {
+        if self.legs.contains_key(&leg) {
+            return None;
+        }
+        // The first legs are known.
+        let Origin::Impact(cause, _) = history.origin(leg) else {
+            return None;
+        };
+        let unknown = |leg: &Leg| !self.legs.contains_key(leg);
+        let legs: Vec<_> = cause.legs().filter(unknown).collect();
+        Some(if legs.is_empty() {
+            Missing::Impact(cause)
+        } else {
+            Missing::Causes(legs)
+        })
+    }
+
+    /// Computes the legs that an impact begins.
+    fn impact(&mut self, history: &History, leg: Leg, cause: Cause) -> Result<(), Undecided> {
+        let time = self.time(history, cause)?;
+        self.set(cause);
+        self.bring(cause, &time);
+        let (disc, feature) = (self.legs[&cause.leg].index, self.feature(cause.partner));
+        let place = self.stage.place(disc, feature, &time, cause.at_once);
+        self.stage.world.collide(disc, feature, place)?;
+        let first = match history.origin(leg) {
+            Origin::Impact(_, Side::Second) => leg.before(),
+            _ => leg,
+        };
+        self.keep(first, disc, &time);
+        if let Feature::Disc(other) = feature {
+            self.keep(first.beside(), other as usize, &time);
+        }
+        Ok(())
+    }
+
+    /// Keeps a disc as an impact has left it on the stage.
+    fn keep(&mut self, leg: Leg, index: usize, time: &Expression) {
+        let body = Body {
+            index,
+            disc: self.stage.world.discs[index].clone(),
+            since: time.clone(),
+        };
+        self.legs.insert(leg, body);
+    }
+
+    /// Puts the bodies of a cause on the stage, each at the start of its leg.
+    fn set(&mut self, cause: Cause) {
+        for leg in cause.legs() {
+            let body = &self.legs[&leg];
+            let turn = leg.index() as u64;
+            self.stage
+                .set(body.index, body.disc.clone(), body.since.clone(), turn);
+        }
+    }
+
+    /// Takes the bodies of a cause to a time.
+    fn bring(&mut self, cause: Cause, time: &Expression) {
+        for leg in cause.legs() {
+            let index = self.legs[&leg].index;
+            if self.stage.world.discs[index].is_movable() {
+                self.stage.bring(index, time, u64::MAX, u64::MAX);
+            }
+        }
+    }
+
+    fn feature(&self, partner: Partner) -> Feature {
+        match partner {
+            Partner::Disc(leg) => Feature::Disc(self.legs[&leg].index as u32),
+            Partner::Wall(wall) => Feature::Wall(wall),
+            Partner::Corner(corner) => Feature::Corner(corner),
+        }
+    }
+}
+
+enum Missing {
+    Causes(Vec<Leg>),
+    Impact(Cause),
+}
+
+fn open(question: &str) -> Undecided {
+    Undecided::new(0, question)
+}
