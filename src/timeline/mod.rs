@@ -11,6 +11,7 @@
 //! Simultaneous impacts follow the `sequential` rule (D17): one pair at a time,
 //! in the order of their names, until no touching pair approaches.
 
+mod accumulation;
 mod flight;
 mod forecast;
 mod nested;
@@ -21,9 +22,12 @@ use crate::body::{Disc, End, Feature, Pair};
 use crate::impact::Impact;
 use crate::scalar::{Doubt, Scalar};
 use crate::world::World;
+use accumulation::Watch;
 use flight::Flights;
 use forecast::{Forecast, Forecaster, Partners};
 use nested::Nested;
+
+pub use accumulation::Accumulation;
 
 /// The exact, event-driven run of a scene.
 #[derive(Clone, Debug)]
@@ -39,6 +43,8 @@ pub struct Timeline<S: Scalar> {
     turn: u64,
     grazes: u64,
     negligible: f64,
+    /// What looks for accumulations, where there may be any.
+    watch: Option<Watch<S>>,
 }
 
 /// A forecast as a candidate for the next impact.
@@ -56,6 +62,7 @@ impl<S: Scalar> Timeline<S> {
     pub fn new(world: World<S>, until: &S) -> Result<Self, S::Doubt> {
         let count = world.discs.len();
         let nested = Nested::find(&world);
+        let watch = Watch::over(&world, until);
         let flights = Flights::new(world);
         let mut timeline = Self {
             forecaster: Forecaster::new(&flights, until),
@@ -67,6 +74,7 @@ impl<S: Scalar> Timeline<S> {
             turn: 0,
             grazes: 0,
             negligible: until.hull().hi() * 2f64.powi(-1000),
+            watch,
         };
         for disc in 0..count {
             timeline.forecast_with(disc, Partners::Later)?;
@@ -74,12 +82,16 @@ impl<S: Scalar> Timeline<S> {
         Ok(timeline)
     }
 
-    /// The next impact, if it is not after `limit`.
+    /// The next impact, if it is not after `limit`. There is none if
+    /// infinitely many precede that (see [`accumulation`](Self::accumulation)).
     ///
     /// # Errors
     ///
     /// It cannot be decided which impact is the next.
     pub fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
+        if self.accumulates(limit) {
+            return Ok(None);
+        }
         while let Some(disc) = self.first(limit)? {
             let Some(forecast) = self.forecasts[disc].take() else {
                 break;
@@ -87,7 +99,9 @@ impl<S: Scalar> Timeline<S> {
             if forecast.meeting.graze {
                 self.pass(disc, &forecast)?;
             } else {
-                return self.resolve(disc, forecast).map(Some);
+                let impact = self.resolve(disc, forecast)?;
+                self.observe(&impact);
+                return Ok(Some(impact));
             }
         }
         Ok(None)

@@ -1,0 +1,186 @@
+//! Infinitely many impacts before a finite time: inelastic collapse.
+//!
+//! Where impacts lose energy, bodies may collide for ever in ever shorter
+//! intervals (Bernu and Mazighi 1990; McNamara and Young 1992; Zhou and
+//! Kadanoff 1996). So may a disc that a moving body of infinite mass presses
+//! against something, whether energy is lost or not. The run cannot get past
+//! that time, the limit.
+//!
+//! It is found in two ways. Of three bodies on a line, [`trio`] proves it and
+//! knows the limit in closed form; [`alone`] proves that nothing else
+//! interferes before. Otherwise [`repetition`] recognises a word of pairs
+//! that repeats while its intervals shrink; its limit is extrapolated, and
+//! nothing is proven. Three bodies on a line that are proven not to collapse
+//! are never recognised.
+//!
+//! Scenes in which nothing can accumulate are not watched ([`can_accumulate`]).
+//! With the paper's restitution only repetition is looked for: its impacts
+//! slow whole velocities, which no relative motion describes.
+
+mod alone;
+mod repetition;
+mod trio;
+
+use std::cmp::Ordering::{Equal, Greater, Less};
+
+use super::Timeline;
+use crate::body::{BodyId, Pair};
+use crate::impact::Impact;
+use crate::respond::Restitution;
+use crate::scalar::Scalar;
+use crate::world::World;
+use repetition::Repetition;
+use trio::Fate;
+
+/// Infinitely many impacts before a finite time.
+#[derive(Clone, Debug)]
+pub struct Accumulation<S> {
+    /// The time that they approach.
+    pub limit: S,
+    /// Whether that is proven, of each decision and of the limit.
+    pub proven: bool,
+    /// The pairs that collide in turn, for ever.
+    pub word: Vec<Pair>,
+}
+
+/// How often a disc's partners must alternate before a proof is tried.
+const ALTERNATIONS: u32 = 2;
+
+/// Looks for an accumulation in the impacts of a timeline.
+#[derive(Clone, Debug)]
+pub(super) struct Watch<S> {
+    /// Whether bodies overlapped at the start, so that an impact need not be
+    /// a contact.
+    overlaps: bool,
+    partners: Vec<Partners>,
+    repetition: Repetition<S>,
+    /// What goes on from the latest impact, if nothing else happens.
+    found: Option<Accumulation<S>>,
+    /// Whether the run has come to it.
+    is_over: bool,
+}
+
+/// The bodies that a disc collided with, the latest first.
+#[derive(Clone, Copy, Debug, Default)]
+struct Partners {
+    latest: Option<BodyId>,
+    previous: Option<BodyId>,
+    alternations: u32,
+}
+
+impl Partners {
+    fn note(&mut self, partner: BodyId) {
+        self.alternations = match self.previous == Some(partner) {
+            true => self.alternations + 1,
+            false => 0,
+        };
+        self.previous = self.latest.replace(partner);
+    }
+
+    /// Between which two bodies the disc goes back and forth.
+    fn pair(&self) -> Option<[BodyId; 2]> {
+        let (latest, previous) = (self.latest?, self.previous?);
+        (self.alternations >= ALTERNATIONS && latest != previous).then_some([latest, previous])
+    }
+}
+
+impl<S: Scalar> Watch<S> {
+    /// A watch over a world's run, if it takes one.
+    pub(super) fn over(world: &World<S>, until: &S) -> Option<Self> {
+        can_accumulate(world).then(|| Self {
+            overlaps: !matches!(world.count_overlaps(), Ok(0)),
+            partners: vec![Partners::default(); world.discs.len()],
+            repetition: Repetition::within(until),
+            found: None,
+            is_over: false,
+        })
+    }
+
+    fn note(&mut self, impact: &Impact<S>) {
+        let Pair { a, b } = impact.pair;
+        for (body, partner) in [(a, b), (b, a)] {
+            if let BodyId::Disc(disc) = body {
+                self.partners[disc as usize].note(partner);
+            }
+        }
+        self.repetition.note(impact);
+    }
+}
+
+/// Whether infinitely many impacts can precede a finite time.
+///
+/// Elastic discs of finite mass and fixed bodies collide finitely often in
+/// finite time (Vaserstein 1979; Burago, Ferleger and Kononenko 1998). So they
+/// do if slow impacts are elastic: each other impact takes at least some fixed
+/// part of the energy. Neither holds where a body of infinite mass moves, for
+/// that gives energy without end.
+fn can_accumulate<S: Scalar>(world: &World<S>) -> bool {
+    let loses = |kept: &S| !matches!(kept.compare(&S::from_integer(1)), Ok(Equal | Greater));
+    let lossy = match &world.restitution {
+        Restitution::Elastic => false,
+        Restitution::Newton {
+            discs,
+            walls,
+            elastic_below,
+        } => elastic_below.is_none() && (loses(discs) || loses(walls)),
+        Restitution::Paper { kept } => loses(kept),
+    };
+    lossy || world.discs.iter().any(|disc| {
+        let speed = disc.velocity.norm_squared();
+        !disc.is_movable() && !matches!(speed.sign(), Ok(Equal))
+    })
+}
+
+impl<S: Scalar> Timeline<S> {
+    /// The accumulation before which the run ended, if it did.
+    pub fn accumulation(&self) -> Option<&Accumulation<S>> {
+        let watch = self.watch.as_ref()?;
+        watch.found.as_ref().filter(|_| watch.is_over)
+    }
+
+    /// Whether infinitely many impacts are still to come before `limit`.
+    pub(super) fn accumulates(&mut self, limit: &S) -> bool {
+        let Some(watch) = &mut self.watch else {
+            return false;
+        };
+        let found = watch.found.as_ref();
+        watch.is_over |=
+            found.is_some_and(|found| matches!(found.limit.compare(limit), Ok(Less | Equal)));
+        watch.is_over
+    }
+
+    /// Takes note of an impact, after which all is as the timeline says.
+    pub(super) fn observe(&mut self, impact: &Impact<S>) {
+        let Some(mut watch) = self.watch.take() else {
+            return;
+        };
+        watch.note(impact);
+        watch.found = self.find_accumulation(&watch, impact.pair);
+        self.watch = Some(watch);
+    }
+
+    fn find_accumulation(&self, watch: &Watch<S>, pair: Pair) -> Option<Accumulation<S>> {
+        for body in [pair.a, pair.b] {
+            match self.fate_of(watch, body) {
+                Fate::Unknown => {}
+                Fate::Parts => return None,
+                Fate::Collapses(trio) if self.is_alone(&trio) => {
+                    return Some(trio.accumulation(!S::ROUNDS && !watch.overlaps));
+                }
+                Fate::Collapses(_) => {}
+            }
+        }
+        watch.repetition.accumulation()
+    }
+
+    /// What becomes of a disc between the two others that it collides with.
+    fn fate_of(&self, watch: &Watch<S>, middle: BodyId) -> Fate<S> {
+        let BodyId::Disc(middle) = middle else {
+            return Fate::Unknown;
+        };
+        match watch.partners[middle as usize].pair() {
+            Some(sides) => trio::fate(&self.flights, &self.now, middle as usize, sides),
+            None => Fate::Unknown,
+        }
+    }
+}
