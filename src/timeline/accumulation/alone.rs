@@ -46,9 +46,9 @@ impl<S: Scalar> Timeline<S> {
     fn boxes(&self, trio: &Trio<S>, span: Interval) -> World<Interval> {
         let mut world = self.flights.world.hull();
         for (disc, since) in world.discs.iter_mut().zip(&self.flights.since) {
-            disc.position = disc.position.moved(&disc.velocity, &(span - &since.hull()));
+            disc.position = disc.position.moved(&disc.velocity, &(span - since.hull()));
         }
-        let rest = Interval::new(0.0, (span - &Interval::new(span.lo(), span.lo())).hi());
+        let rest = Interval::new(0.0, (span - Interval::new(span.lo(), span.lo())).hi());
         let place = |disc: usize| self.flights.position_at(disc, &self.now).map(S::hull);
         let [a, b] = [0, 1].map(|side| trio.velocities(side).scaled(&rest));
         for (side, motion) in trio.sides.iter().zip([&a, &b]) {

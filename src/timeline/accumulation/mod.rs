@@ -10,8 +10,8 @@
 //! knows the limit in closed form; [`alone`] proves that nothing else
 //! interferes before. Otherwise [`repetition`] recognises a word of pairs
 //! that repeats while its intervals shrink; its limit is extrapolated, and
-//! nothing is proven. Three bodies on a line that are proven not to collapse
-//! are never recognised.
+//! nothing is proven. Three bodies on a line that do not collapse are never
+//! recognised.
 //!
 //! Scenes in which nothing can accumulate are not watched ([`can_accumulate`]).
 //! With the paper's restitution only repetition is looked for: its impacts
@@ -60,7 +60,8 @@ pub(super) struct Watch<S> {
     is_over: bool,
 }
 
-/// The bodies that a disc collided with, the latest first.
+/// The bodies that a disc collided with, the latest first; none for the end of
+/// a wall, which no proof considers.
 #[derive(Clone, Copy, Debug, Default)]
 struct Partners {
     latest: Option<BodyId>,
@@ -69,12 +70,12 @@ struct Partners {
 }
 
 impl Partners {
-    fn note(&mut self, partner: BodyId) {
-        self.alternations = match self.previous == Some(partner) {
+    fn note(&mut self, partner: Option<BodyId>) {
+        self.alternations = match self.previous == partner {
             true => self.alternations + 1,
             false => 0,
         };
-        self.previous = self.latest.replace(partner);
+        self.previous = std::mem::replace(&mut self.latest, partner);
     }
 
     /// Between which two bodies the disc goes back and forth.
@@ -100,7 +101,8 @@ impl<S: Scalar> Watch<S> {
         let Pair { a, b } = impact.pair;
         for (body, partner) in [(a, b), (b, a)] {
             if let BodyId::Disc(disc) = body {
-                self.partners[disc as usize].note(partner);
+                let is_whole = impact.end.is_none();
+                self.partners[disc as usize].note(is_whole.then_some(partner));
             }
         }
         self.repetition.note(impact);
@@ -125,10 +127,11 @@ fn can_accumulate<S: Scalar>(world: &World<S>) -> bool {
         } => elastic_below.is_none() && (loses(discs) || loses(walls)),
         Restitution::Paper { kept } => loses(kept),
     };
-    lossy || world.discs.iter().any(|disc| {
-        let speed = disc.velocity.norm_squared();
-        !disc.is_movable() && !matches!(speed.sign(), Ok(Equal))
-    })
+    lossy
+        || world.discs.iter().any(|disc| {
+            let speed = disc.velocity.norm_squared();
+            !disc.is_movable() && !matches!(speed.sign(), Ok(Equal))
+        })
 }
 
 impl<S: Scalar> Timeline<S> {
@@ -160,17 +163,19 @@ impl<S: Scalar> Timeline<S> {
     }
 
     fn find_accumulation(&self, watch: &Watch<S>, pair: Pair) -> Option<Accumulation<S>> {
+        let mut parts = false;
         for body in [pair.a, pair.b] {
             match self.fate_of(watch, body) {
-                Fate::Unknown => {}
-                Fate::Parts => return None,
                 Fate::Collapses(trio) if self.is_alone(&trio) => {
                     return Some(trio.accumulation(!S::ROUNDS && !watch.overlaps));
                 }
-                Fate::Collapses(_) => {}
+                Fate::Parts => parts = true,
+                Fate::Collapses(_) | Fate::Unknown => {}
             }
         }
-        watch.repetition.accumulation()
+        // Two pairs are three bodies, of which the end is known.
+        let repeated = watch.repetition.accumulation();
+        repeated.filter(|found| found.word.len() > 2 || !parts)
     }
 
     /// What becomes of a disc between the two others that it collides with.
@@ -182,5 +187,57 @@ impl<S: Scalar> Timeline<S> {
             Some(sides) => trio::fate(&self.flights, &self.now, middle as usize, sides),
             None => Fate::Unknown,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Exact, Number};
+    use crate::scene::{Disc, Restitution, Scene, SceneBuilder};
+
+    fn is_watched(scene: SceneBuilder) -> bool {
+        let world = World::<Exact>::new(&scene.build().unwrap(), 128);
+        Watch::over(&world, &Exact::from_integer(1)).is_some()
+    }
+
+    fn scene() -> SceneBuilder {
+        Scene::builder("test")
+            .disc(Disc::at([0, 0], 1).velocity([1, 0]))
+            .disc(Disc::at([9, 0], 1).infinite_mass())
+            .wall([0, 5], [9, 5])
+    }
+
+    fn newton(discs: &str, walls: &str, elastic_below: Option<i32>) -> Restitution {
+        Restitution::Newton {
+            coefficient: discs.parse().unwrap(),
+            walls: Some(walls.parse().unwrap()),
+            elastic_below: elastic_below.map(Number::from),
+        }
+    }
+
+    #[test]
+    fn what_cannot_accumulate_is_not_watched() {
+        assert!(!is_watched(scene()));
+        assert!(!is_watched(scene().restitution(newton("1", "1", None))));
+        assert!(!is_watched(scene().restitution(newton("0", "0", Some(1)))));
+        let lossless = Restitution::paper(Number::from(0));
+        assert!(!is_watched(scene().restitution(lossless)));
+    }
+
+    #[test]
+    fn what_loses_energy_is_watched() {
+        assert!(is_watched(scene().restitution(newton("1/2", "1", None))));
+        assert!(is_watched(scene().restitution(newton("1", "1/2", None))));
+        let lossy = Restitution::paper("1/10".parse::<Number>().unwrap());
+        assert!(is_watched(scene().restitution(lossy)));
+    }
+
+    #[test]
+    fn a_moving_body_of_infinite_mass_is_watched() {
+        let piston = || Disc::at([-9, 0], 1).velocity([1, 0]).infinite_mass();
+        assert!(is_watched(scene().disc(piston())));
+        let slow = newton("1/2", "1/2", Some(1));
+        assert!(is_watched(scene().disc(piston()).restitution(slow)));
     }
 }

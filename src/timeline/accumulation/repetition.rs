@@ -19,7 +19,7 @@ use crate::scalar::Scalar;
 const LONGEST: usize = 12;
 
 /// For how many periods a word must have repeated.
-const PERIODS: usize = 8;
+const PERIODS: usize = 4;
 
 /// How many impacts of a word at one time are taken for infinitely many.
 const STALLED: usize = 64;
@@ -28,7 +28,7 @@ const STALLED: usize = 64;
 const DURATIONS: usize = 3;
 
 /// The part of the run that may be left to the limit.
-const NEGLIGIBLE: f64 = 1e-12;
+const NEGLIGIBLE: f64 = 1e-10;
 
 /// How much a settled ratio may still change, as a part of its distance to 1.
 const UNSETTLED: f64 = 1.0 / 16.0;

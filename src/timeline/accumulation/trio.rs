@@ -124,7 +124,10 @@ impl<S: Scalar> Trio<S> {
         Accumulation {
             limit: self.limit.clone(),
             proven,
-            word: vec![Pair::new(middle, other.body), Pair::new(middle, latest.body)],
+            word: vec![
+                Pair::new(middle, other.body),
+                Pair::new(middle, latest.body),
+            ],
         }
     }
 }
