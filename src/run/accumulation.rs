@@ -32,15 +32,17 @@ impl Accumulation {
 
 impl<S: Arithmetic> From<&timeline::Accumulation<S>> for Accumulation {
     fn from(found: &timeline::Accumulation<S>) -> Self {
-        let proven = found.limit.enclosure().filter(|_| found.proven);
+        let [from, to] = &found.limit;
+        let bounds = from.enclosure().zip(to.enclosure());
+        let proven = bounds.filter(|_| found.proven);
         let expected = || {
-            let limit = found.limit.to_f64();
+            let limit = to.to_f64();
             BigRational::from_float(limit).unwrap_or_default()
         };
         Self {
             proven: proven.is_some(),
             limit: match proven {
-                Some((lo, hi)) => [lo, hi],
+                Some(((lo, _), (_, hi))) => [lo, hi],
                 None => [expected(), expected()],
             },
             word: found.word.clone(),

@@ -115,7 +115,8 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
             return Status::Complete;
         };
         let digits = self.options.digits;
-        if found.proven && !found.limit.has_digits(digits) {
+        let mut bounds = found.limit.iter();
+        if found.proven && !bounds.all(|bound| bound.has_digits(digits)) {
             return Status::Undecided(Undecided {
                 bits: S::bits(self.precision).unwrap_or_default(),
                 question: format!("{digits} digits of the time at which impacts accumulate"),

@@ -235,9 +235,9 @@ fn nothing_is_claimed_where_a_wall_interferes() {
 }
 
 /// The second disc a little aside. On a line λ = (51 ± √1801) / 200, and the
-/// limit is 1 + 1 / λ1 = 3.1404….
+/// limit is 1 + 1 / λ1 = 3.1404…. λ1 = 0.467 is above the cube root of 1/50.
 #[test]
-fn a_collapse_in_the_plane_is_recognised() {
+fn a_collapse_in_the_plane() {
     let scene = lasting("9")
         .disc(Disc::at([-3, 0], 1).velocity([1, 0]))
         .disc(Disc::at(["0", "1/1000"], 1))
@@ -245,6 +245,9 @@ fn a_collapse_in_the_plane_is_recognised() {
         .restitution(newton("1/50", None));
     let scene = scene.build().unwrap();
     let outcome = run(&scene);
+    let found = accumulation(&outcome);
+    assert!(found.proven);
+    assert!(&found.limit[1] - &found.limit[0] < ratio("1e-20"));
     let expected = 1.0 + 200.0 / (51.0 + 1801_f64.sqrt());
     assert!((accumulation(&outcome).limit_to_f64() - expected).abs() < 1e-4);
     let computed = attempt::<f64>(&scene, Algorithm::Timeline, &Options::default());
@@ -290,4 +293,40 @@ fn binary64_expects_but_does_not_prove() {
     let found = accumulation(&outcome);
     assert!(!found.proven);
     assert!((found.limit_to_f64() - 141.0 / 61.0).abs() < 1e-12);
+}
+
+/// The line through the discs at (0, 0), turned by an angle of tangent 3/4 and
+/// of tangent 1: the same limit, though enclosures cannot tell a line.
+#[test]
+fn a_collapse_on_an_oblique_line() {
+    let straight = run(&resting("9", "1/50"));
+    for [x, y, length] in [["4/5", "3/5", "1"], ["1", "1", "0x1.6a09e667f3bcdp0"]] {
+        let along = |distance: &str| {
+            let part = |unit| ratio(unit) * ratio(distance) / ratio(length);
+            [part(x), part(y)].map(|part| Number::try_from(part).unwrap())
+        };
+        let scene = lasting("9")
+            .disc(Disc::at(along("-3"), 1).velocity(along("1")))
+            .disc(Disc::at([0, 0], 1))
+            .disc(Disc::at(along("3"), 1))
+            .restitution(newton("1/50", None));
+        let outcome = run(&scene.build().unwrap());
+        let (found, expected) = (accumulation(&outcome), accumulation(&straight));
+        assert!(found.proven && expected.proven);
+        let apart = found.limit_to_f64() - expected.limit_to_f64();
+        assert!(apart.abs() < 1e-14, "{x} {y}: {apart}");
+    }
+}
+
+/// e = 7/100 is below the threshold on a line, but its λ1 = 0.312 is below the
+/// cube root of e: aside of the line nothing is proven.
+#[test]
+fn curvature_prevails_near_the_threshold() {
+    let scene = lasting("9")
+        .disc(Disc::at([-3, 0], 1).velocity([1, 0]))
+        .disc(Disc::at(["0", "1/10"], 1))
+        .disc(Disc::at([3, 0], 1))
+        .restitution(newton("7/100", None));
+    let outcome = run(&scene.build().unwrap());
+    assert_eq!(outcome.status, Status::Complete);
 }

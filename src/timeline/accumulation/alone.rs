@@ -24,30 +24,39 @@ impl<S: Scalar> Timeline<S> {
     /// Whether nothing but each other touches the three before the limit.
     pub(super) fn is_alone(&self, trio: &Trio<S>) -> bool {
         let end = trio.limit.hull().hi();
-        if !end.is_finite() || !self.others_are_free(trio, end) {
+        if !end.is_finite()
+            || !self.others_are_free(|disc| trio.contains(Obstacle::Disc(disc)), end)
+        {
             return false;
         }
         let now = self.now.hull();
         let span = Interval::new(now.lo(), end.max(now.hi()));
         let world = self.boxes(trio, span);
-        trio.moved().all(|disc| is_apart(&world, trio, disc)) && stays_at_walls(&world, trio)
+        let is_partner = |other| trio.contains(other);
+        trio.moved().all(|disc| is_apart(&world, disc, is_partner)) && stays_at_walls(&world, trio)
     }
 
-    /// Whether no other disc meets anything before a time.
-    fn others_are_free(&self, trio: &Trio<S>, end: f64) -> bool {
+    /// Whether no disc but some meets anything before a time.
+    pub(super) fn others_are_free(&self, is_one: impl Fn(usize) -> bool, end: f64) -> bool {
         let mut forecasts = self.forecasts.iter().enumerate();
         forecasts.all(|(disc, next)| {
             let is_later = next.as_ref().is_none_or(|next| next.bounds.lo() > end);
-            is_later || trio.contains(Obstacle::Disc(disc))
+            is_later || is_one(disc)
         })
     }
 
-    /// Where the bodies are throughout a span of time.
-    fn boxes(&self, trio: &Trio<S>, span: Interval) -> World<Interval> {
+    /// Where free discs are throughout a span of time.
+    pub(super) fn sweep(&self, span: Interval) -> World<Interval> {
         let mut world = self.flights.world.hull();
         for (disc, since) in world.discs.iter_mut().zip(&self.flights.since) {
             disc.position = disc.position.moved(&disc.velocity, &(span - since.hull()));
         }
+        world
+    }
+
+    /// Where all discs are throughout the span of time up to the limit.
+    fn boxes(&self, trio: &Trio<S>, span: Interval) -> World<Interval> {
+        let mut world = self.sweep(span);
         let rest = Interval::new(0.0, (span - Interval::new(span.lo(), span.lo())).hi());
         let place = |disc: usize| self.flights.position_at(disc, &self.now).map(S::hull);
         let [a, b] = [0, 1].map(|side| trio.velocities(side).scaled(&rest));
@@ -99,11 +108,15 @@ impl<S: Scalar> Trio<S> {
     }
 }
 
-/// Whether a disc's box overlaps no other body's.
-fn is_apart<S: Scalar>(world: &World<Interval>, trio: &Trio<S>, disc: usize) -> bool {
+/// Whether a disc's box overlaps no other body's but its partners'.
+pub(super) fn is_apart(
+    world: &World<Interval>,
+    disc: usize,
+    is_partner: impl Fn(Obstacle) -> bool,
+) -> bool {
     let discs = (0..world.discs.len()).map(Obstacle::Disc);
     let walls = (0..world.walls.len()).map(Obstacle::Wall);
-    let mut others = discs.chain(walls).filter(|&other| !trio.contains(other));
+    let mut others = discs.chain(walls).filter(|&other| !is_partner(other));
     others.all(|other| matches!(world.overlap(disc, other), Ok(None)))
 }
 

@@ -6,9 +6,10 @@
 //! against something, whether energy is lost or not. The run cannot get past
 //! that time, the limit.
 //!
-//! It is found in two ways. Of three bodies on a line, [`trio`] proves it and
-//! knows the limit in closed form; [`alone`] proves that nothing else
-//! interferes before. Otherwise [`repetition`] recognises a word of pairs
+//! It is found in three ways. Of three bodies on a line, [`trio`] proves it and
+//! knows the limit in closed form. Of three discs in the plane, [`planar`]
+//! proves it and bounds the limit, as soon as the bounds are close. [`alone`]
+//! proves that nothing else interferes before. Otherwise [`repetition`] recognises a word of pairs
 //! that repeats while its intervals shrink; its limit is extrapolated, and
 //! nothing is proven. Three bodies on a line that do not collapse are never
 //! recognised.
@@ -18,6 +19,7 @@
 //! slow whole velocities, which no relative motion describes.
 
 mod alone;
+mod planar;
 mod repetition;
 mod trio;
 
@@ -35,8 +37,8 @@ use trio::Fate;
 /// Infinitely many impacts before a finite time.
 #[derive(Clone, Debug)]
 pub struct Accumulation<S> {
-    /// The time that they approach.
-    pub limit: S,
+    /// Bounds of the time that they approach, equal if it is known.
+    pub limit: [S; 2],
     /// Whether that is proven, of each decision and of the limit.
     pub proven: bool,
     /// The pairs that collide in turn, for ever.
@@ -97,6 +99,17 @@ impl<S: Scalar> Watch<S> {
         })
     }
 
+    /// The discs of a pair that go back and forth between two bodies.
+    fn trios(&self, pair: Pair) -> impl Iterator<Item = (usize, [BodyId; 2])> {
+        [pair.a, pair.b].into_iter().filter_map(|body| match body {
+            BodyId::Disc(disc) => {
+                let sides = self.partners[disc as usize].pair()?;
+                Some((disc as usize, sides))
+            }
+            BodyId::Wall(_) => None,
+        })
+    }
+
     fn note(&mut self, impact: &Impact<S>) {
         let Pair { a, b } = impact.pair;
         for (body, partner) in [(a, b), (b, a)] {
@@ -148,7 +161,7 @@ impl<S: Scalar> Timeline<S> {
         };
         let found = watch.found.as_ref();
         watch.is_over |=
-            found.is_some_and(|found| matches!(found.limit.compare(limit), Ok(Less | Equal)));
+            found.is_some_and(|found| matches!(found.limit[1].compare(limit), Ok(Less | Equal)));
         watch.is_over
     }
 
@@ -163,30 +176,33 @@ impl<S: Scalar> Timeline<S> {
     }
 
     fn find_accumulation(&self, watch: &Watch<S>, pair: Pair) -> Option<Accumulation<S>> {
-        let mut parts = false;
-        for body in [pair.a, pair.b] {
-            match self.fate_of(watch, body) {
+        let proves = !S::ROUNDS && !watch.overlaps;
+        let (mut parts, mut approaches) = (false, false);
+        for (middle, sides) in watch.trios(pair) {
+            match trio::fate(&self.flights, &self.now, middle, sides) {
                 Fate::Collapses(trio) if self.is_alone(&trio) => {
-                    return Some(trio.accumulation(!S::ROUNDS && !watch.overlaps));
+                    return Some(trio.accumulation(proves));
                 }
+                Fate::Collapses(_) => {}
                 Fate::Parts => parts = true,
-                Fate::Collapses(_) | Fate::Unknown => {}
+                Fate::Unknown if proves => match self.cascade(middle, sides) {
+                    Some(cascade) if self.is_tight(&cascade) => {
+                        let found = self.settle(&cascade);
+                        if found.is_some() {
+                            return found;
+                        }
+                    }
+                    cascade => approaches |= cascade.is_some(),
+                },
+                Fate::Unknown => {}
             }
+        }
+        if approaches {
+            return None;
         }
         // Two pairs are three bodies, of which the end is known.
         let repeated = watch.repetition.accumulation();
         repeated.filter(|found| found.word.len() > 2 || !parts)
-    }
-
-    /// What becomes of a disc between the two others that it collides with.
-    fn fate_of(&self, watch: &Watch<S>, middle: BodyId) -> Fate<S> {
-        let BodyId::Disc(middle) = middle else {
-            return Fate::Unknown;
-        };
-        match watch.partners[middle as usize].pair() {
-            Some(sides) => trio::fate(&self.flights, &self.now, middle as usize, sides),
-            None => Fate::Unknown,
-        }
     }
 }
 

@@ -60,7 +60,7 @@ impl<S: Scalar> Repetition<S> {
         let limit = self.stall(period).or_else(|| self.extrapolate(period))?;
         let word = self.latest.range(..period).rev();
         Some(Accumulation {
-            limit,
+            limit: [limit.clone(), limit],
             proven: false,
             word: word.map(|(pair, _)| *pair).collect(),
         })

@@ -122,7 +122,7 @@ impl<S: Scalar> Trio<S> {
         let middle = BodyId::Disc(self.middle as u32);
         let [latest, other] = &self.sides;
         Accumulation {
-            limit: self.limit.clone(),
+            limit: [self.limit.clone(), self.limit.clone()],
             proven,
             word: vec![
                 Pair::new(middle, other.body),
