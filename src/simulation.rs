@@ -11,7 +11,7 @@ use crate::frame::{self, Frame, Passes};
 use crate::impact::Impact;
 use crate::scalar::Scalar;
 use crate::scene::{self, Scene};
-use crate::timeline::{Timed, Timeline};
+use crate::timeline::{Accumulation, Timed, Timeline};
 use crate::world::World;
 
 /// How a scene is simulated.
@@ -87,7 +87,8 @@ impl<S: Arithmetic> Simulation<S> {
         })
     }
 
-    /// Simulates the next frame and returns its impacts.
+    /// Simulates the next frame and returns its impacts: of infinitely many
+    /// some of the first ([`accumulation`](Self::accumulation)).
     ///
     /// # Errors
     ///
@@ -101,6 +102,15 @@ impl<S: Arithmetic> Simulation<S> {
                 let end = self.clock.start_of(self.frame, self.precision);
                 std::iter::from_fn(|| timeline.next_impact(&end).transpose()).collect()
             }
+        }
+    }
+
+    /// Infinitely many impacts that a frame has had, beyond which nothing is
+    /// known.
+    pub fn accumulation(&self) -> Option<&Accumulation<S>> {
+        match &self.machine {
+            Machine::Frames(..) => None,
+            Machine::Timeline(timeline) => timeline.accumulation(),
         }
     }
 

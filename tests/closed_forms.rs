@@ -18,3 +18,6 @@ mod losses;
 mod starts;
 #[path = "closed_forms/walls.rs"]
 mod walls;
+
+#[path = "closed_forms/accumulations.rs"]
+mod accumulations;

@@ -27,10 +27,6 @@ const UNSUPPORTED: [&str; 5] = [
     "zeno-rational",
 ];
 
-/// The case whose two first impacts share a disc and are simultaneous at an
-/// irrational time: enclosures cannot prove that, so the run must say so.
-const TIED: &str = "break-symmetric";
-
 fn load(name: &str) -> (Scene, Value) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/hard/{name}.json"));
     let case: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
@@ -230,8 +226,7 @@ fn check_frame_impact(name: &str, impact: &Impact<Exact>, expected: &Value, fram
 fn the_timeline_gives_the_certified_answers() {
     for name in names() {
         let (_, case) = load(&name);
-        let left_out = name == TIED || UNSUPPORTED.contains(&name.as_str());
-        if !left_out && !case["timeline"].is_null() {
+        if !UNSUPPORTED.contains(&name.as_str()) && !case["timeline"].is_null() {
             check_timeline(&name);
         }
     }
@@ -255,17 +250,6 @@ fn the_frame_algorithms_give_the_answers_of_the_readings() {
             }
         }
     }
-}
-
-#[test]
-fn a_tie_that_cannot_be_proven_is_left_undecided() {
-    let (scene, _) = load(TIED);
-    let outcome = run_exactly(&scene, Algorithm::Timeline, &Options::default());
-    let Status::Undecided(open) = outcome.status else {
-        panic!("{:?}", outcome.status);
-    };
-    assert_eq!(open.question, "whether d0 and d1 or d0 and d2 meet first");
-    assert_eq!(outcome.impacts.len(), 0);
 }
 
 #[test]

@@ -11,6 +11,7 @@ use super::bound::separation_bits;
 use super::build::Normal;
 use super::evaluate::{self, bits_of_zero};
 use super::expression::{Expression, Operation};
+use super::glance;
 use super::limits::Limits;
 use super::term::NoForm;
 use super::tower::Stop;
@@ -27,6 +28,9 @@ const GUARD_BITS: u64 = 64;
 
 /// The sign, proven.
 pub(super) fn sign(number: &Expression) -> Result<Ordering, Undecided> {
+    if let Some(sign) = glance::sign(number) {
+        return Ok(sign);
+    }
     let limits = number.limits();
     let normal = Normal::of(number, limits.bits).map_err(|why| no_form(why, limits.bits))?;
     let sign = Question::new(&normal, limits).answer()?;

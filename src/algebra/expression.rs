@@ -188,6 +188,10 @@ impl Scalar for Expression {
         Ok(*self.0.sign.get_or_init(|| sign))
     }
 
+    fn is_surely_zero(&self) -> bool {
+        self.known_sign() == Some(Equal)
+    }
+
     fn compare(&self, other: &Self) -> Result<Ordering, Undecided> {
         match self.0.enclosure.compare(&other.0.enclosure) {
             Ok(order) => Ok(order),
@@ -239,7 +243,11 @@ impl Scalar for Expression {
 
 impl Operation {
     fn enclosure(&self, bits: u32) -> Exact {
-        let of = |operand: &Expression| operand.best_enclosure(bits);
+        self.value(|operand| operand.best_enclosure(bits), bits)
+    }
+
+    /// An enclosure, given those of the operands.
+    pub(super) fn value(&self, of: impl Fn(&Expression) -> Exact, bits: u32) -> Exact {
         match self {
             Self::Undefined => Exact::from_integer(1) / Exact::from_integer(0),
             Self::Rational(value) => Exact::from_rational(value.clone(), bits),

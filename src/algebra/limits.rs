@@ -38,6 +38,21 @@ impl Limits {
         work: 0,
     };
 
+    /// Those of a question that enclosures of so many bits have left open: the
+    /// more bits have been spent on it, the more effort is worth while. From
+    /// 8192 bits on, the usual ones.
+    pub fn after(bits: u32) -> Self {
+        let usual = Self::default();
+        let scale = (bits / 128).max(1);
+        Self {
+            bits: usual.bits,
+            bound_bits: usual.bound_bits.min(scale << 11),
+            radicals: usual.radicals.min(4 + scale.ilog2()),
+            element_bits: usual.element_bits.min(u64::from(scale) << 17),
+            work: usual.work.min(u64::from(scale) << 21),
+        }
+    }
+
     /// The greater of each.
     pub(super) fn joined(self, other: Self) -> Self {
         Self {

@@ -6,7 +6,8 @@
 //! numbers. Enclosures tell their order unless they are equal. An
 //! [`Expression`] decides that too. It asks, in this order:
 //!
-//! 1. the **enclosure** that it carries;
+//! 1. the **enclosure** that it carries, and one of a few more bits, which
+//!    shows most of what is only nearly zero;
 //! 2. the **normal form**: what has the same one is equal;
 //! 3. an **evaluation** of a few more bits, which shows what is only nearly
 //!    zero; and where the separation bound asks for no more, zero as well;
@@ -48,6 +49,7 @@ mod decide;
 mod element;
 mod evaluate;
 mod expression;
+mod glance;
 mod graph;
 mod limits;
 mod modular;

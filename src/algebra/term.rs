@@ -11,7 +11,7 @@ const MOST_PARTS: usize = 64;
 const HIGHEST_POWER: i64 = 64;
 
 /// Bits of a rational beyond which the normal form is given up.
-pub(super) const LONGEST_RATIONAL: u64 = 1 << 16;
+pub(super) const LONGEST_RATIONAL: u64 = 1 << 13;
 
 /// A rational times a term.
 #[derive(Clone, Debug, PartialEq)]

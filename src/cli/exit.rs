@@ -41,7 +41,9 @@ impl From<&Status> for Exit {
     fn from(status: &Status) -> Self {
         match status {
             Status::Complete => Self::Success,
-            Status::Undecided(_) | Status::EventLimit => Self::OutOfBudget,
+            Status::Undecided(_) | Status::Accumulation(_) | Status::EventLimit => {
+                Self::OutOfBudget
+            }
             Status::Interrupted => Self::Interrupted,
         }
     }

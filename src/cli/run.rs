@@ -214,6 +214,9 @@ fn tell(scene: &Path, status: &Status) {
     match status {
         Status::Complete => {}
         Status::Undecided(open) => error::report(&format_args!("{scene}: undecided: {open}")),
+        Status::Accumulation(found) => {
+            error::report(&format_args!("{scene}: accumulation: {found}"));
+        }
         Status::EventLimit => {
             error::report(&format_args!("{scene}: ended by the limit of --max-events"));
         }

@@ -21,7 +21,8 @@ pub struct Judged {
     pub tally: Tally,
     /// The frames judged.
     pub frames: u64,
-    /// The frames of which the truth could not be decided.
+    /// The frames of which the truth could not be decided, or is infinitely
+    /// many impacts.
     pub undecided: u64,
     /// The time that the candidate took for its frames: of exact arithmetic,
     /// of the attempt that succeeded.
@@ -30,6 +31,9 @@ pub struct Judged {
     pub log: Vec<Logged>,
     /// Why the candidate itself could not be run to its end.
     pub failure: Option<Undecided>,
+    /// Whether it ended in infinitely many impacts instead. That frame is not
+    /// judged.
+    pub accumulates: bool,
 }
 
 /// Runs a candidate and judges each frame from the candidate's own state at
@@ -80,6 +84,7 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
             cost: Duration::ZERO,
             log: Vec::new(),
             failure: None,
+            accumulates: false,
         };
         Self {
             scene,
@@ -95,7 +100,7 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         let simulation = Simulation::<S>::new(self.scene, algorithm, self.precision);
         let mut simulation = simulation.map_err(Doubt::into_undecided)?;
         self.judged.cost += begun.elapsed();
-        while self.judged.frames < self.scene.frame().count {
+        while self.judged.frames < self.scene.frame().count && !self.judged.accumulates {
             self.judge_frame(&mut simulation)?;
         }
         Ok(())
@@ -106,6 +111,10 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         let begun = Instant::now();
         let impacts = simulation.next_frame().map_err(Doubt::into_undecided)?;
         self.judged.cost += begun.elapsed();
+        self.judged.accumulates = simulation.accumulation().is_some();
+        if self.judged.accumulates {
+            return Ok(());
+        }
         let impacts: Vec<_> = impacts.iter().map(Logged::from).collect();
         match self.truth(&discs, &contacts)? {
             Some(truth) => self.tally(&truth, &impacts, &simulation.discs()),
@@ -116,14 +125,14 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         Ok(())
     }
 
-    /// What truly happens from a state of the candidate; none if the budget
-    /// does not suffice. Where the state itself is only enclosed, more bits
+    /// What truly happens from a state of the candidate; none if that is
+    /// infinitely many impacts, or the budget does not suffice. Where the state itself is only enclosed, more bits
     /// have to come from the candidate.
     fn truth(&self, discs: &[Disc<S>], contacts: &Contacts) -> Result<Option<Truth>, Undecided> {
         let mut bits = self.budget.first_bits;
         loop {
             let failure = match self.attempt_truth(discs, contacts, bits) {
-                Ok(truth) => return Ok(Some(truth)),
+                Ok(truth) => return Ok(truth),
                 Err(failure) => failure,
             };
             if S::FILTERED {
@@ -141,7 +150,7 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         discs: &[Disc<S>],
         contacts: &Contacts,
         bits: u32,
-    ) -> Result<Truth, Undecided> {
+    ) -> Result<Option<Truth>, Undecided> {
         let mut world = World::<Exact>::new(self.scene, bits);
         let states = discs.iter().zip(&world.discs);
         let states = states.map(|(state, written)| Disc {

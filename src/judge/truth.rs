@@ -16,7 +16,8 @@ pub struct Truth {
     pub end: Vec<Vec2<f64>>,
 }
 
-/// What truly happens in a world, in the frame that starts at `start`.
+/// What truly happens in a world, in the frame that starts at `start`; none if
+/// that is infinitely many impacts.
 ///
 /// # Errors
 ///
@@ -25,20 +26,23 @@ pub fn true_frame(
     world: World<Exact>,
     start: &Exact,
     duration: &Exact,
-) -> Result<Truth, Undecided> {
+) -> Result<Option<Truth>, Undecided> {
     let mut timeline = Timeline::new(world, duration)?;
     let mut impacts = Vec::new();
     while let Some(impact) = timeline.next_impact(duration)? {
         let time = start.clone() + &impact.time;
         impacts.push(Impact { time, ..impact });
     }
+    if timeline.accumulation().is_some() {
+        return Ok(None);
+    }
     number_ties(&mut impacts);
     let end = timeline.discs_at(duration);
-    Ok(Truth {
+    Ok(Some(Truth {
         impacts: impacts.iter().map(Logged::from).collect(),
         end: end
             .iter()
             .map(|disc| disc.position.map(Exact::to_f64))
             .collect(),
-    })
+    }))
 }

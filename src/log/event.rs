@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::contact::Contact;
+use super::quantity::Quantity;
 use crate::body::{BodyId, End};
 
 /// The first line: what was run, and how.
@@ -134,6 +135,19 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "cli", schemars(with = "u32"))]
     pub bits: Option<u32>,
+    /// The time that infinitely many impacts approach: expected, or proven to
+    /// lie within bounds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "cli", schemars(with = "Quantity"))]
+    pub limit: Option<Quantity>,
+    /// Whether it is proven that they do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "cli", schemars(with = "bool"))]
+    pub proven: Option<bool>,
+    /// The pairs that then collide in turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "cli", schemars(with = "Vec<[BodyId; 2]>"))]
+    pub word: Option<Vec<[BodyId; 2]>>,
     /// The kinetic energy of the discs of finite mass, at the start and at
     /// the end.
     pub energy: [f64; 2],

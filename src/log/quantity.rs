@@ -4,6 +4,7 @@ use num_rational::BigRational;
 
 use super::decimal::{self, Direction};
 use crate::arithmetic::Arithmetic;
+use crate::run::Accumulation;
 use crate::scalar::Number;
 
 /// The digits that bounds have beyond those that are correct, so that
@@ -43,6 +44,16 @@ impl Quantity {
         }
     }
 
+    /// The time that infinitely many impacts approach.
+    pub(super) fn of_limit(found: &Accumulation, digits: u32) -> Self {
+        let [lo, hi] = &found.limit;
+        let nearest = finite(found.limit_to_f64());
+        match found.proven {
+            true => Self::Proven(Bounds::between(nearest, lo, hi, digits)),
+            false => Self::Computed(nearest),
+        }
+    }
+
     /// The number, as the nearest binary64.
     pub fn to_f64(&self) -> f64 {
         match self {
@@ -57,21 +68,24 @@ impl Bounds {
     /// nothing is proven.
     pub fn new<S: Arithmetic>(value: &S, digits: u32) -> Option<Self> {
         let (lo, hi) = value.enclosure()?;
-        let nearest = nearest(value);
+        Some(Self::between(nearest(value), &lo, &hi, digits))
+    }
+
+    fn between(nearest: f64, lo: &BigRational, hi: &BigRational, digits: u32) -> Self {
         if lo == hi {
-            let text = decimal::exact(&lo, digits);
-            return Some(Self {
+            let text = decimal::exact(lo, digits);
+            return Self {
                 nearest,
                 lo: text.clone(),
                 hi: text,
-            });
+            };
         }
         let digits = digits.saturating_add(GUARD_DIGITS);
-        Some(Self {
+        Self {
             nearest,
-            lo: decimal::rounded(&lo, digits, Direction::Down),
-            hi: decimal::rounded(&hi, digits, Direction::Up),
-        })
+            lo: decimal::rounded(lo, digits, Direction::Down),
+            hi: decimal::rounded(hi, digits, Direction::Up),
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use super::MIN_DIGITS;
 use super::conserved::{energy, momentum};
 use super::contact::Contact;
 use super::event::{Ending, Event, EventsFormat, Header, Summary};
-use super::quantity::{Bounds, nearest};
+use super::quantity::{Bounds, Quantity, nearest};
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::frame::Passes;
@@ -141,9 +141,10 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
         let until = nearest_to(self.end());
         let reached = nearest(&outcome.time);
         let states = [&outcome.start, &outcome.end];
-        let question = match &outcome.status {
-            Status::Undecided(open) => Some(open.question.clone()),
-            _ => None,
+        let (question, found) = match &outcome.status {
+            Status::Undecided(open) => (Some(open.question.clone()), None),
+            Status::Accumulation(found) => (None, Some(found)),
+            _ => (None, None),
         };
         Summary {
             events: outcome.impacts.len() as u64,
@@ -154,6 +155,9 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
             status: Ending::from(&outcome.status),
             bits: question.as_ref().and(S::bits(outcome.precision)),
             question,
+            limit: found.map(|found| Quantity::of_limit(found, self.digits)),
+            proven: found.map(|found| found.proven),
+            word: found.map(|found| found.word.iter().map(|pair| [pair.a, pair.b]).collect()),
             energy: states.map(|discs| nearest(&energy(discs))),
             momentum: states.map(|discs| nearest_momentum(discs)),
         }
@@ -173,6 +177,7 @@ impl From<&Status> for Ending {
         match status {
             Status::Complete => Self::Complete,
             Status::Undecided(_) => Self::Undecided,
+            Status::Accumulation(_) => Self::Accumulation,
             Status::EventLimit => Self::EventLimit,
             Status::Interrupted => Self::Interrupted,
         }

@@ -8,7 +8,7 @@ use super::{Options, Outcome, Progress, Status};
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::impact::{Impact, number_ties};
-use crate::scalar::{Doubt, Scalar};
+use crate::scalar::{Doubt, Scalar, Undecided};
 use crate::scene::Scene;
 use crate::simulation::{Algorithm, FrameClock, Simulation};
 use crate::symmetry::Symmetry;
@@ -104,13 +104,28 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         loop {
             match timeline.next_impact(end) {
                 Err(doubt) => return Status::Undecided(doubt.into_undecided()),
-                Ok(None) => return Status::Complete,
+                Ok(None) => return self.ending(timeline),
                 Ok(Some(impact)) => self.note(impact),
             }
             if let ControlFlow::Break(status) = self.pause(timeline.now()) {
                 return status;
             }
         }
+    }
+
+    /// How a timeline without further impacts ended.
+    fn ending(&self, timeline: &Timeline<S>) -> Status {
+        let Some(found) = timeline.accumulation() else {
+            return Status::Complete;
+        };
+        let digits = self.options.digits;
+        let mut bounds = found.limit.iter();
+        if found.proven && !bounds.all(|bound| bound.has_digits(digits)) {
+            let bits = S::bits(self.precision).unwrap_or_default();
+            let question = format!("{digits} digits of the time at which impacts accumulate");
+            return Status::Undecided(Undecided::new(bits, question));
+        }
+        Status::Accumulation(found.into())
     }
 
     /// Steps through the frames up to the end.

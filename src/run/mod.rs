@@ -4,6 +4,7 @@
 //! The run then starts again with more bits, as many as the attempt's progress
 //! lets expect, until all is decided or the budget is spent.
 
+mod accumulation;
 mod attempt;
 
 use std::ops::ControlFlow;
@@ -17,6 +18,8 @@ use crate::simulation::Algorithm;
 use crate::support::{Unsupported, check_number, check_support};
 use crate::symmetry::symmetries;
 use attempt::Attempt;
+
+pub use accumulation::Accumulation;
 
 /// What a run may cost, and where it ends.
 #[derive(Clone, Debug)]
@@ -52,6 +55,8 @@ pub enum Status {
     Complete,
     /// A decision was still open when the budget was spent.
     Undecided(Undecided),
+    /// Infinitely many impacts precede a finite time, not after its end.
+    Accumulation(Accumulation),
     /// There were as many impacts as allowed.
     EventLimit,
     /// It was stopped from outside.

@@ -63,6 +63,11 @@ impl Exact {
         self.value.is_exact()
     }
 
+    /// The bits of the enclosures that come from this number.
+    pub(crate) fn precision(&self) -> u32 {
+        precision(self.bits)
+    }
+
     /// How many leading bits of the number are certain: some n such that the
     /// error is at most 2^-n times the number; none if there is no error.
     pub fn accuracy(&self) -> Option<i64> {

@@ -82,6 +82,11 @@ pub trait Scalar:
     /// The sign, as the order of this number against zero.
     fn sign(&self) -> Result<Ordering, Self::Doubt>;
 
+    /// Whether the number is known to be zero, without any effort to find out.
+    fn is_surely_zero(&self) -> bool {
+        matches!(self.sign(), Ok(Ordering::Equal))
+    }
+
     /// The order of two numbers.
     fn compare(&self, other: &Self) -> Result<Ordering, Self::Doubt>;
 

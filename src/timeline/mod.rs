@@ -11,6 +11,7 @@
 //! Simultaneous impacts follow the `sequential` rule (D17): one pair at a time,
 //! in the order of their names, until no touching pair approaches.
 
+mod accumulation;
 mod arbiter;
 mod flight;
 mod forecast;
@@ -24,6 +25,7 @@ use crate::body::{Disc, Feature};
 use crate::impact::Impact;
 use crate::symmetry::Symmetry;
 use crate::world::World;
+use accumulation::Watch;
 pub use arbiter::Timed;
 use arbiter::{Arbiter, Foreseen};
 use flight::{Flights, Meeting};
@@ -31,6 +33,8 @@ use forecast::{Effort, Forecast, Forecaster, Outlook, Partners};
 use front::Candidate;
 use nested::Nested;
 use queue::Queue;
+
+pub use accumulation::Accumulation;
 
 /// The exact, event-driven run of a scene.
 #[derive(Clone, Debug)]
@@ -55,6 +59,8 @@ pub struct Timeline<S: Timed> {
     turn: u64,
     grazes: u64,
     negligible: f64,
+    /// What looks for accumulations, where there may be any.
+    watch: Option<Watch<S>>,
 }
 
 impl<S: Timed> Timeline<S> {
@@ -80,6 +86,7 @@ impl<S: Timed> Timeline<S> {
         let count = world.discs.len();
         let nested = Nested::find(&world);
         let arbiter = S::Arbiter::new(&world, symmetries);
+        let watch = Watch::over(&world, until);
         let flights = Flights::new(world);
         let mut timeline = Self {
             forecaster: Forecaster::new(&flights, until),
@@ -96,6 +103,7 @@ impl<S: Timed> Timeline<S> {
             turn: 0,
             grazes: 0,
             negligible: until.hull().hi() * 2f64.powi(-1000),
+            watch,
         };
         for disc in 0..count {
             timeline.forecast_with(disc, Partners::Later, Effort::Bounds)?;
@@ -103,12 +111,16 @@ impl<S: Timed> Timeline<S> {
         Ok(timeline)
     }
 
-    /// The next impact, if it is not after `limit`.
+    /// The next impact, if it is not after `limit`. There is none if
+    /// infinitely many precede that (see [`accumulation`](Self::accumulation)).
     ///
     /// # Errors
     ///
     /// It cannot be decided which impact is the next.
     pub fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
+        if self.accumulates(limit) {
+            return Ok(None);
+        }
         while let Some(disc) = self.first(limit)? {
             self.compute(disc)?;
             if !self.tied.is_empty() {
@@ -122,7 +134,9 @@ impl<S: Timed> Timeline<S> {
             if meeting.graze {
                 self.pass(disc, meeting.feature)?;
             } else {
-                return self.resolve(disc, meeting).map(Some);
+                let impact = self.resolve(disc, meeting)?;
+                self.observe(&impact);
+                return Ok(Some(impact));
             }
         }
         Ok(None)

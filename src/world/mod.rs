@@ -127,7 +127,7 @@ impl<S: Scalar> World<S> {
 
     /// Moves a disc freely for a time.
     pub(crate) fn advance_disc(&mut self, disc: usize, time: &S) {
-        if time.sign().is_ok_and(std::cmp::Ordering::is_eq) {
+        if time.is_surely_zero() {
             return;
         }
         self.discs[disc].advance(time);

@@ -176,7 +176,7 @@ impl Arguments {
         let mut truths = comparisons.iter().map(|comparison| &comparison.truth);
         if failed {
             Exit::Difference
-        } else if truths.any(|truth| truth.open.is_some()) {
+        } else if truths.any(|truth| !truth.is_whole()) {
             Exit::OutOfBudget
         } else {
             Exit::Success

@@ -33,6 +33,14 @@ struct TruthReport {
     bits: u32,
     seconds: f64,
     undecided: Option<OpenReport>,
+    accumulation: Option<LimitReport>,
+}
+
+/// The time that infinitely many impacts approach.
+#[derive(Serialize)]
+struct LimitReport {
+    limit: f64,
+    proven: bool,
 }
 
 /// A decision that was left open, and when.
@@ -114,6 +122,10 @@ impl TruthReport {
                 time: truth.reached,
                 question: open.question.clone(),
             }),
+            accumulation: truth.accumulation.as_ref().map(|found| LimitReport {
+                limit: found.limit_to_f64(),
+                proven: found.proven,
+            }),
         }
     }
 }
@@ -139,7 +151,7 @@ impl RowReport {
             position_error: tally.position_error,
             frames: row.frames,
             undecided_frames: row.undecided,
-            failure: row.failure.as_ref().map(ToString::to_string),
+            failure: row.failure.clone(),
             first_difference: row.difference.as_ref().map(DifferenceReport::new),
         }
     }

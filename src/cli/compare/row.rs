@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use carom::arithmetic::Budget;
 use carom::judge::{Difference, Judged, Logged, Tally, first_difference};
-use carom::scalar::Undecided;
 use carom::scene::Scene;
 use carom::support::Unsupported;
 
@@ -28,7 +27,7 @@ pub(super) struct Row {
     /// Where it first leaves the true course of events.
     pub(super) difference: Option<Difference>,
     /// Why it could not be run to its end.
-    pub(super) failure: Option<Undecided>,
+    pub(super) failure: Option<String>,
 }
 
 impl Row {
@@ -48,7 +47,7 @@ impl Row {
             undecided: judged.undecided,
             impacts: judged.log.len(),
             difference: difference(truth, &judged, scene),
-            failure: judged.failure,
+            failure: failure(&judged),
         })
     }
 
@@ -77,12 +76,19 @@ impl Row {
     }
 }
 
+/// Why a candidate could not be run to its end.
+fn failure(judged: &Judged) -> Option<String> {
+    let endless = || String::from("infinitely many impacts before a finite time");
+    let open = judged.failure.as_ref().map(ToString::to_string);
+    open.or_else(|| judged.accumulates.then(endless))
+}
+
 /// The first difference, as far as both the truth and the candidate go.
 fn difference(truth: &Truth, judged: &Judged, scene: &Scene) -> Option<Difference> {
     let frame = scene.frame();
-    let reached = match judged.failure {
-        Some(_) => judged.frames as f64 * frame.duration.to_f64(),
-        None => f64::INFINITY,
+    let reached = match judged.failure.is_some() || judged.accumulates {
+        true => judged.frames as f64 * frame.duration.to_f64(),
+        false => f64::INFINITY,
     };
     let end = reached.min(truth.reached);
     first_difference(&before(&truth.impacts, end), &before(&judged.log, end))

@@ -62,9 +62,10 @@ fn truth_line(truth: &Truth) -> String {
         truth.bits,
         duration(truth.cost.as_secs_f64()),
     );
-    match &truth.open {
-        Some(open) => format!("{found}; undecided from t = {} on: {open}", truth.reached),
-        None => found,
+    match (&truth.open, &truth.accumulation) {
+        (Some(open), _) => format!("{found}; undecided from t = {} on: {open}", truth.reached),
+        (None, Some(end)) => format!("{found}; accumulation: {end}"),
+        (None, None) => found,
     }
 }
 

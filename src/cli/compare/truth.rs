@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use carom::arithmetic::Budget;
 use carom::judge::Logged;
-use carom::run::{Options, Status, run};
+use carom::run::{Accumulation, Options, Status, run};
 use carom::scalar::{Exact, Scalar, Undecided};
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
@@ -23,11 +23,18 @@ pub(super) struct Truth {
     pub(super) cost: Duration,
     /// What could not be decided, if anything.
     pub(super) open: Option<Undecided>,
+    /// Infinitely many impacts in which it ends, if it does.
+    pub(super) accumulation: Option<Accumulation>,
     /// The time up to which all is known.
     pub(super) reached: f64,
 }
 
 impl Truth {
+    /// Whether it goes to the end of the scene.
+    pub(super) fn is_whole(&self) -> bool {
+        self.open.is_none() && self.accumulation.is_none()
+    }
+
     /// Runs the exact timeline.
     pub(super) fn find(scene: &Scene, budget: &Budget) -> Result<Self, Unsupported> {
         let options = Options {
@@ -41,18 +48,22 @@ impl Truth {
             bar.show(progress);
             ControlFlow::Continue(())
         })?;
-        let open = match outcome.status {
-            Status::Undecided(open) => Some(open),
-            _ => None,
+        let (open, accumulation) = match outcome.status {
+            Status::Undecided(open) => (Some(open), None),
+            Status::Accumulation(found) => (None, Some(found)),
+            _ => (None, None),
         };
+        let is_whole = open.is_none() && accumulation.is_none();
         Ok(Self {
             impacts: outcome.impacts.iter().map(Logged::from).collect(),
             bits: outcome.precision,
             cost: begun.elapsed(),
-            reached: open
-                .as_ref()
-                .map_or(f64::INFINITY, |_| outcome.time.to_f64()),
+            reached: match is_whole {
+                true => f64::INFINITY,
+                false => outcome.time.to_f64(),
+            },
             open,
+            accumulation,
         })
     }
 }

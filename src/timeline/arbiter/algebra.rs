@@ -19,8 +19,11 @@ use crate::world::{Obstacle, World};
 pub struct Algebra {
     history: History,
     images: Images,
-    /// None if some number of the world is only enclosed.
+    /// None if some number of the world is only enclosed, or if the questions
+    /// turned out to be none for algebra.
     replay: Option<Replay>,
+    /// How many questions were.
+    vain: u32,
     /// The names of the times at which the discs' legs begin.
     moments: Vec<u64>,
 }
@@ -31,7 +34,8 @@ impl Arbiter<Exact> for Algebra {
         Self {
             history: History::new(discs),
             images: Images::new(symmetries.to_vec()),
-            replay: Replay::new(world, Limits::default()),
+            replay: Replay::new(world),
+            vain: 0,
             moments: vec![0; discs],
         }
     }
@@ -65,6 +69,7 @@ impl Arbiter<Exact> for Algebra {
         };
         let mut time = |cause| replay.time(&self.history, cause);
         let order = time(causes[0]).and_then(|first| first.compare(&time(causes[1])?));
+        self.weigh(order == Ok(Equal));
         order.map_err(|open| doubt.after(open))
     }
 
@@ -84,6 +89,7 @@ impl Arbiter<Exact> for Algebra {
         };
         let order = replay.time(&self.history, cause);
         let order = order.and_then(|time| time.compare(&limit));
+        self.weigh(order == Ok(Equal));
         order.map_err(|open| doubt.after(open))
     }
 
@@ -104,6 +110,11 @@ impl Arbiter<Exact> for Algebra {
         };
         let cause = self.history.cause(disc, feature, false);
         let met = replay.meet(&self.history, cause);
+        self.weigh(match &met {
+            Ok(Some(meeting)) => meeting.graze || meeting.overlap,
+            Ok(None) => true,
+            Err(_) => false,
+        });
         let met = met.map_err(|open| doubt.after(open))?;
         let moment = flights.moment_of(self.later(disc, feature));
         Ok(met.map(|meeting| adopt(meeting, moment)))
@@ -131,6 +142,16 @@ impl Arbiter<Exact> for Algebra {
 }
 
 impl Algebra {
+    /// Takes note whether a question was one for algebra: whether something was
+    /// zero. Where it is not, more bits decide at less expense; after a few
+    /// such questions algebra leaves the next ones to those.
+    fn weigh(&mut self, was_tie: bool) {
+        self.vain += u32::from(!was_tie);
+        if self.vain >= MOST_VAIN {
+            self.replay = None;
+        }
+    }
+
     /// What collides, and whether it touches already where the later leg
     /// begins.
     fn cause(&self, met: &Foreseen<'_, Exact>) -> Cause {
@@ -151,6 +172,9 @@ impl Algebra {
         }
     }
 }
+
+/// The questions that algebra may take up in vain.
+const MOST_VAIN: u32 = 3;
 
 /// A meeting found by algebra, in enclosures again.
 fn adopt(meeting: Meeting<Expression>, moment: u64) -> Meeting<Exact> {

@@ -9,8 +9,10 @@ use crate::scalar::{Exact, Scalar, Undecided};
 use crate::timeline::flight::{Flights, Meeting};
 use crate::world::{Obstacle, World};
 
-/// The most legs that one question may lead to.
-const MOST_LEGS: usize = 256;
+/// The most legs that one question may lead to, for each bit of the
+/// enclosures that have left it open, and altogether.
+const LEGS_PER_BIT: f64 = 1.0 / 16.0;
+const MOST_LEGS: f64 = 32.0;
 
 /// The bodies of a scene on those of their legs that have been asked for.
 #[derive(Clone, Debug)]
@@ -18,6 +20,7 @@ pub(super) struct Replay {
     /// Where bodies are put to meet; between questions, anywhere.
     stage: Flights<Expression>,
     legs: HashMap<Leg, Body>,
+    most_legs: usize,
 }
 
 /// A disc at the start of one of its legs.
@@ -30,7 +33,9 @@ struct Body {
 
 impl Replay {
     /// The start of a world, if all its numbers are known as rationals.
-    pub(super) fn new(world: &World<Exact>, limits: Limits) -> Option<Self> {
+    pub(super) fn new(world: &World<Exact>) -> Option<Self> {
+        let bits = world.numbers().map(Exact::precision).max()?;
+        let limits = Limits::after(bits);
         let known = |number: &Exact| Expression::from_exact(number, limits);
         if world.numbers().any(|number| known(number).is_none()) {
             return None;
@@ -48,6 +53,7 @@ impl Replay {
         });
         Some(Self {
             legs: legs.collect(),
+            most_legs: (f64::from(bits) * LEGS_PER_BIT).min(MOST_LEGS) as usize,
             stage,
         })
     }
@@ -116,7 +122,7 @@ impl Replay {
                     pending.pop();
                 }
             }
-            if count > MOST_LEGS || pending.len() > MOST_LEGS {
+            if count.max(pending.len()) > self.most_legs {
                 return Err(open("a number that too many impacts lead to"));
             }
         }
