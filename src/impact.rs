@@ -73,26 +73,49 @@ impl<S: Scalar> World<S> {
         place: Place<S>,
     ) -> Result<Contact<S>, S::Doubt> {
         let normal = self.normal(disc, feature, &place);
-        let other_velocity = match feature {
+        match feature {
             Feature::Disc(other) => {
-                let other = other as usize;
-                let [first, second] = two(&mut self.discs, disc, other);
+                let [first, second] = two(&mut self.discs, disc, other as usize);
                 collide_discs(first, second, &normal, &self.restitution)?;
-                Some(second.velocity.clone())
             }
             Feature::Wall(_) | Feature::Corner(_) => {
                 collide_wall(&mut self.discs[disc], &normal, &self.restitution)?;
-                None
             }
-        };
+        }
+        Ok(self.part(disc, feature, place.centre, normal.direction))
+    }
+
+    /// Notes that a disc and a feature have collided, and part from now on.
+    fn part(
+        &mut self,
+        disc: usize,
+        feature: Feature,
+        centre: Vec2<S>,
+        normal: Vec2<S>,
+    ) -> Contact<S> {
         self.remember(disc, feature);
-        let body = &self.discs[disc];
-        Ok(Contact {
-            normal: normal.direction,
-            centre: place.centre,
-            velocity: body.velocity.clone(),
+        let other_velocity = match feature {
+            Feature::Disc(other) => Some(self.discs[other as usize].velocity.clone()),
+            Feature::Wall(_) | Feature::Corner(_) => None,
+        };
+        Contact {
+            normal,
+            centre,
+            velocity: self.discs[disc].velocity.clone(),
             other_velocity,
-        })
+        }
+    }
+
+    /// The contact of a disc and a feature whose velocities after their
+    /// impact are known already.
+    pub(crate) fn collided(
+        &mut self,
+        disc: usize,
+        feature: Feature,
+        place: Place<S>,
+    ) -> Contact<S> {
+        let normal = self.normal(disc, feature, &place).direction;
+        self.part(disc, feature, place.centre, normal)
     }
 }
 

@@ -186,4 +186,34 @@ impl<S: Scalar> Flights<S> {
         }
         self.turn[disc] = turn;
     }
+
+    /// Puts a disc where its impact at a time leaves it; one that no impact
+    /// changes stays as it is.
+    pub(super) fn land(&mut self, disc: usize, after: Disc<S>, time: &S, turn: u64) {
+        if !after.is_movable() {
+            return;
+        }
+        let velocity = self.world.discs[disc].velocity.clone();
+        self.world.leave_contacts(disc, &velocity);
+        self.world.discs[disc] = after;
+        self.since[disc] = time.clone();
+        self.moment[disc] = turn;
+        self.turn[disc] = turn;
+    }
+
+    /// All numbers that impacts change.
+    pub(super) fn numbers(&mut self) -> impl Iterator<Item = &mut S> {
+        let discs = self.world.discs.iter_mut().flat_map(|disc| {
+            let Disc {
+                position, velocity, ..
+            } = disc;
+            [
+                &mut position.x,
+                &mut position.y,
+                &mut velocity.x,
+                &mut velocity.y,
+            ]
+        });
+        discs.chain(&mut self.since)
+    }
 }

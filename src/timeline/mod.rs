@@ -14,14 +14,15 @@
 mod flight;
 mod forecast;
 mod nested;
+mod step;
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use crate::body::{Disc, End, Feature, Pair};
-use crate::impact::Impact;
+use crate::impact::{Contact, Impact};
 use crate::scalar::{Doubt, Scalar};
 use crate::world::World;
-use flight::Flights;
+use flight::{Flights, Meeting};
 use forecast::{Forecast, Forecaster, Partners};
 use nested::Nested;
 
@@ -278,17 +279,12 @@ impl<S: Scalar> Timeline<S> {
     fn resolve(&mut self, disc: usize, forecast: Forecast<S>) -> Result<Impact<S>, S::Doubt> {
         let meeting = forecast.meeting;
         let (disc, feature) = in_order(disc, meeting.feature);
-        let time = meeting.time.not_before(&self.now);
         self.turn += 1;
-        // A rounded time may have been lifted: it is none that has a name.
-        let named = meeting.moment.filter(|_| !S::ROUNDS);
-        let moment = named.unwrap_or(self.turn);
-        for changed in self.movable(disc, feature) {
-            self.flights.bring(changed, &time, moment, self.turn);
-        }
-        let place = self.flights.place(disc, feature, &time, meeting.overlap);
+        let (time, contact) = match self.leap(disc, feature, &meeting) {
+            Some(leapt) => leapt,
+            None => self.walk(disc, feature, meeting)?,
+        };
         let world = &mut self.flights.world;
-        let contact = world.collide(disc, feature, place)?;
         world.contacts.join(disc, feature);
         self.nested.part(world, disc, feature);
         let (pair, end) = world.names(disc, feature);
@@ -309,6 +305,42 @@ impl<S: Scalar> Timeline<S> {
             step: None,
             contact,
         })
+    }
+
+    /// Takes the bodies of an impact to its time, and lets them collide.
+    fn walk(
+        &mut self,
+        disc: usize,
+        feature: Feature,
+        meeting: Meeting<S>,
+    ) -> Result<(S, Contact<S>), S::Doubt> {
+        let time = meeting.time.not_before(&self.now);
+        // A rounded time may have been lifted: it is none that has a name.
+        let named = meeting.moment.filter(|_| !S::ROUNDS);
+        let moment = named.unwrap_or(self.turn);
+        for changed in self.movable(disc, feature) {
+            self.flights.bring(changed, &time, moment, self.turn);
+        }
+        let place = self.flights.place(disc, feature, &time, meeting.overlap);
+        let contact = self.flights.world.collide(disc, feature, place)?;
+        Ok((time, contact))
+    }
+
+    /// The same in one step, where the arithmetic knows one that is better.
+    fn leap(
+        &mut self,
+        disc: usize,
+        feature: Feature,
+        meeting: &Meeting<S>,
+    ) -> Option<(S, Contact<S>)> {
+        if meeting.overlap {
+            return None;
+        }
+        let time = self.flights.leap(disc, feature, self.turn)?;
+        S::rebase(self.flights.numbers());
+        let place = self.flights.place(disc, feature, &time, false);
+        let contact = self.flights.world.collided(disc, feature, place);
+        Some((time, contact))
     }
 
     /// The discs that an impact changes.

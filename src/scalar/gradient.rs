@@ -1,0 +1,181 @@
+//! Intervals that carry their partial derivatives along.
+//!
+//! Automatic differentiation in forward mode (Rall: Automatic Differentiation,
+//! 1981; Moore: Methods and Applications of Interval Analysis, 1979): with
+//! every value come bounds of its derivatives by each variable over the whole
+//! box of the variables. Values and decisions are those of [`Interval`].
+
+use std::array::from_fn;
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_rational::BigRational;
+
+use super::{Interval, Number, Scalar, Undecided};
+
+/// Bounds of a function's value and of its partial derivatives.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Gradient {
+    value: Interval,
+    partials: [Interval; Self::VARIABLES],
+}
+
+impl Gradient {
+    /// How many variables there can be: position, velocity and time of two
+    /// discs.
+    pub(crate) const VARIABLES: usize = 10;
+
+    /// What does not depend on any variable.
+    pub(crate) fn constant(value: Interval) -> Self {
+        let partials = [Interval::ZERO; Self::VARIABLES];
+        Self { value, partials }
+    }
+
+    /// The variable of this index.
+    pub(crate) fn variable(value: Interval, index: usize) -> Self {
+        let mut variable = Self::constant(value);
+        variable.partials[index] = Interval::point(1.0);
+        variable
+    }
+
+    /// Bounds of the derivatives.
+    pub(crate) fn partials(&self) -> &[Interval; Self::VARIABLES] {
+        &self.partials
+    }
+
+    /// A function of this one, of which the derivative is given.
+    fn chain(&self, value: Interval, derivative: Interval) -> Self {
+        let partials = self.partials.map(|partial| partial * derivative);
+        Self { value, partials }
+    }
+
+    /// A function of two others, whose partial derivatives are made from
+    /// theirs.
+    fn combine(
+        &self,
+        other: &Self,
+        value: Interval,
+        make: impl Fn(Interval, Interval) -> Interval,
+    ) -> Self {
+        let partials = from_fn(|index| make(self.partials[index], other.partials[index]));
+        Self { value, partials }
+    }
+}
+
+impl Scalar for Gradient {
+    type Doubt = Undecided;
+    type Precision = ();
+
+    const ROUNDS: bool = false;
+    const FILTERED: bool = false;
+
+    fn from_number(number: &Number, (): ()) -> Self {
+        Self::constant(Interval::from_number(number, ()))
+    }
+
+    fn from_integer(integer: i32) -> Self {
+        Self::constant(Interval::from_integer(integer))
+    }
+
+    fn sign(&self) -> Result<Ordering, Undecided> {
+        self.value.sign()
+    }
+
+    fn compare(&self, other: &Self) -> Result<Ordering, Undecided> {
+        self.value.compare(&other.value)
+    }
+
+    /// (a²)' = 2 a a'.
+    fn square(&self) -> Self {
+        self.chain(self.value.square(), self.value + self.value)
+    }
+
+    /// (√a)' = a' / (2 √a), of which nothing is known about zero.
+    fn sqrt(&self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, Interval::point(0.5) / root)
+    }
+
+    fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
+        *a * b - *c * d
+    }
+
+    fn not_before(self, _: &Self) -> Self {
+        self
+    }
+
+    fn to_f64(&self) -> f64 {
+        self.value.to_f64()
+    }
+
+    fn hull(&self) -> Interval {
+        self.value
+    }
+
+    fn enclosure(&self) -> Option<(BigRational, BigRational)> {
+        self.value.enclosure()
+    }
+}
+
+impl Add<&Self> for Gradient {
+    type Output = Self;
+
+    fn add(self, other: &Self) -> Self {
+        self.combine(other, self.value + other.value, |a, b| a + b)
+    }
+}
+
+impl Sub<&Self> for Gradient {
+    type Output = Self;
+
+    fn sub(self, other: &Self) -> Self {
+        self.combine(other, self.value - other.value, |a, b| a - b)
+    }
+}
+
+impl Mul<&Self> for Gradient {
+    type Output = Self;
+
+    /// (a b)' = a' b + b' a.
+    fn mul(self, other: &Self) -> Self {
+        self.combine(other, self.value * other.value, |a, b| {
+            a * other.value + b * self.value
+        })
+    }
+}
+
+impl Div<&Self> for Gradient {
+    type Output = Self;
+
+    /// (a / b)' = (a' - (a / b) b') / b.
+    fn div(self, other: &Self) -> Self {
+        let quotient = self.value / other.value;
+        self.combine(other, quotient, |a, b| (a - quotient * b) / other.value)
+    }
+}
+
+impl Neg for Gradient {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            partials: self.partials.map(Neg::neg),
+        }
+    }
+}
+
+/// The operators with their right operand by value.
+macro_rules! forward_by_value {
+    ($($operator:ident $method:ident),*) => {$(
+        impl $operator for Gradient {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                $operator::$method(self, &other)
+            }
+        }
+    )*};
+}
+
+forward_by_value!(Add add, Sub sub, Mul mul, Div div);
