@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let outcome = follow(&scene, bits, impacts)?;
     let elapsed = began.elapsed().as_secs_f64();
     let reached = outcome.impacts.len();
-    let lost = i64::from(bits) - certain_bits(&outcome.end);
+    let lost = i64::from(bits) - outcome.certain_bits().map_or(0, i64::from);
     println!(
         "{discs} discs, {bits} bits: {reached} impacts in {elapsed:.3} s ({:.1} us each), {lost} bits lost, {:.3} an impact ({:?})",
         elapsed * 1e6 / reached as f64,
@@ -90,18 +90,6 @@ fn nudged(scene: &Scene, bits: u32) -> Result<Scene, Box<dyn std::error::Error>>
         builder = builder.disc(made.velocity(disc.velocity.clone()));
     }
     Ok(builder.build()?)
-}
-
-/// The bits that are certain of the least certain disc.
-fn certain_bits(discs: &[Disc<Exact>]) -> i64 {
-    let certain = discs.iter().map(|disc| {
-        numbers(disc)
-            .iter()
-            .map(|number| number.accuracy().unwrap_or(i64::MAX))
-            .max()
-            .unwrap_or(0)
-    });
-    certain.min().unwrap_or(0)
 }
 
 /// The exponent of the largest difference.

@@ -51,6 +51,18 @@ pub struct Contact<S> {
     pub other_velocity: Option<Vec2<S>>,
 }
 
+impl<S> Contact<S> {
+    /// The same contact with numbers made from its own.
+    pub(crate) fn map<T>(&self, make: impl Fn(&S) -> T) -> Contact<T> {
+        Contact {
+            normal: self.normal.map(&make),
+            centre: self.centre.map(&make),
+            velocity: self.velocity.map(&make),
+            other_velocity: self.other_velocity.as_ref().map(|other| other.map(&make)),
+        }
+    }
+}
+
 /// Where two bodies are when they collide. A body of infinite mass that moves
 /// is elsewhere in the world, for an impact does not stop it there.
 pub(crate) struct Place<S> {

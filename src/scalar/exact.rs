@@ -49,7 +49,7 @@ pub struct Exact {
     /// The bits of enclosures, or zero: those of what it meets.
     pub(super) bits: u32,
     /// How the error hangs together with that of others, as far as known.
-    form: Option<Arc<Form>>,
+    pub(super) form: Option<Arc<Form>>,
 }
 
 impl Exact {
@@ -57,6 +57,10 @@ impl Exact {
     /// up to which it is computed with as such. A longer one becomes an
     /// enclosure.
     pub const RATIONAL_BITS: u64 = 4096;
+
+    /// From so many bits on a [`Step`] is taken as a whole, which costs more
+    /// and loses far fewer bits.
+    pub const STEP_BITS: u32 = 1024;
 
     /// Whether the number is known exactly, as a rational.
     pub fn is_rational(&self) -> bool {
@@ -177,7 +181,7 @@ impl Scalar for Exact {
         a.combine(b, Value::mul) - c.combine(d, Value::mul)
     }
 
-    /// In mean-value form, with enough bits for that to pay.
+    /// In mean-value form, from [`STEP_BITS`](Self::STEP_BITS) on.
     fn step<P: Step>(input: impl FnOnce() -> P::Input<Self>) -> Option<P::Output<Self>> {
         form::step::<P>(&input())
     }
@@ -185,6 +189,10 @@ impl Scalar for Exact {
     /// By Lohner's method.
     fn rebase<'a>(numbers: impl Iterator<Item = &'a mut Self>) {
         form::rebase(numbers.filter_map(Self::enclosed).collect());
+    }
+
+    fn bare(&self) -> Self {
+        Self::plain(self.value.clone(), self.bits)
     }
 
     fn not_before(self, _: &Self) -> Self {

@@ -179,3 +179,98 @@ macro_rules! forward_by_value {
 }
 
 forward_by_value!(Add add, Sub sub, Mul mul, Div div);
+
+#[cfg(test)]
+mod tests {
+    use num_traits::Zero;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::scalar::Exact;
+
+    /// A function of three variables that uses every operation but roots.
+    fn rational<T: Scalar>([x, y, z]: &[T; 3]) -> T {
+        let product = T::difference_of_products(x, y, z, z) - x;
+        (product + T::power(x, z, y)) / (y.square() + T::from_integer(1)) * z - -x.clone()
+    }
+
+    fn exact(number: f64) -> Exact {
+        Exact::from_number(&Number::try_from(number).unwrap(), 64)
+    }
+
+    fn value(number: &Exact) -> BigRational {
+        let (lo, hi) = number.enclosure().unwrap();
+        assert_eq!(lo, hi);
+        lo
+    }
+
+    fn contains(interval: Interval, number: &BigRational) -> bool {
+        interval
+            .enclosure()
+            .is_none_or(|(lo, hi)| lo <= *number && *number <= hi)
+    }
+
+    fn slope(from: &BigRational, to: &BigRational, step: &BigRational) -> BigRational {
+        (to - from) / step
+    }
+
+    /// At (3, 4): of x y it is (4, 3), of x / y (1/4, -3/16), of x² (6, 0), of
+    /// √(x + 1) = 2 it is (1/4, 0).
+    #[test]
+    fn by_hand() {
+        let [x, y] =
+            [(3.0, 0), (4.0, 1)].map(|(at, index)| Gradient::variable(Interval::point(at), index));
+        let partials =
+            |function: Gradient| [function.partials[0].to_f64(), function.partials[1].to_f64()];
+        assert_eq!(partials(x * y), [4.0, 3.0]);
+        assert_eq!(partials(x / y), [0.25, -0.1875]);
+        assert_eq!(partials(x.square()), [6.0, 0.0]);
+        assert_eq!(
+            partials((x + Gradient::from_integer(1)).sqrt()),
+            [0.25, 0.0]
+        );
+        assert_eq!(partials(-x - y), [-1.0, -1.0]);
+    }
+
+    #[test]
+    fn nothing_is_known_of_a_root_about_zero() {
+        let about_zero = Gradient::variable(Interval::new(0.0, 1.0), 0);
+        assert_eq!(about_zero.sqrt().partials[0], Interval::UNBOUNDED);
+    }
+
+    proptest! {
+        /// Between two points that differ in one variable, the derivative by
+        /// it takes the mean slope somewhere.
+        #[test]
+        fn difference_quotients_lie_within(
+            from in prop::array::uniform3(-4.0..4.0_f64),
+            step in -1.0..1.0_f64,
+            index in 0..3_usize,
+        ) {
+            let mut to = from;
+            to[index] += step;
+            let boxed: [Gradient; 3] = from_fn(|at| {
+                let hull = Interval::new(from[at].min(to[at]), from[at].max(to[at]));
+                Gradient::variable(hull, at)
+            });
+            let bounds = rational(&boxed);
+            let [start, end] = [from, to].map(|point| value(&rational(&point.map(exact))));
+            prop_assert!(contains(bounds.hull(), &start) && contains(bounds.hull(), &end));
+            let step = value(&exact(to[index])) - value(&exact(from[index]));
+            if !step.is_zero() {
+                let slope = slope(&start, &end, &step);
+                prop_assert!(contains(bounds.partials()[index], &slope));
+            }
+        }
+
+        /// (√b - √a) / (b - a) for squares a and b.
+        #[test]
+        fn slopes_of_roots(from in 1..1_000_u32, to in 1..1_000_u32) {
+            prop_assume!(from != to);
+            let [a, b] = [from, to].map(|root| f64::from(root * root));
+            let root = Gradient::variable(Interval::new(a.min(b), a.max(b)), 0).sqrt();
+            let slope = BigRational::new(1.into(), (from + to).into());
+            prop_assert!(contains(root.partials()[0], &slope));
+        }
+    }
+}

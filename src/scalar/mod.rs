@@ -35,6 +35,8 @@ use num_rational::BigRational;
 pub use exact::Exact;
 pub use interval::Interval;
 pub use number::{Number, NumberError};
+#[cfg(feature = "json")]
+pub(crate) use rounding::nearest_binary64;
 pub use step::Step;
 pub use undecided::{Doubt, Undecided};
 
@@ -112,6 +114,12 @@ pub trait Scalar:
     /// What they enclose stays the same.
     fn rebase<'a>(numbers: impl Iterator<Item = &'a mut Self>) {
         let _ = numbers;
+    }
+
+    /// The number alone, for the record: without what only steps need.
+    #[must_use]
+    fn bare(&self) -> Self {
+        self.clone()
     }
 
     /// Lifts a computed time to `floor` where rounding alone put it before;

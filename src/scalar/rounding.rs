@@ -135,6 +135,12 @@ pub(super) fn power_of_two(exponent: i64) -> f64 {
     }
 }
 
+/// The binary64 nearest to a rational number, an infinity beyond the largest.
+#[cfg(feature = "json")]
+pub(crate) fn nearest_binary64(ratio: &BigRational) -> f64 {
+    ratio_to_f64(ratio, Rounding::Nearest)
+}
+
 /// The binary64 neighbour of a rational number.
 pub(crate) fn ratio_to_f64(ratio: &BigRational, rounding: Rounding) -> f64 {
     let (numerator, denominator) = (ratio.numer().magnitude(), ratio.denom().magnitude());

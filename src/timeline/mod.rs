@@ -340,7 +340,7 @@ impl<S: Scalar> Timeline<S> {
         S::rebase(self.flights.numbers());
         let place = self.flights.place(disc, feature, &time, false);
         let contact = self.flights.world.collided(disc, feature, place);
-        Some((time, contact))
+        Some((time.bare(), contact.map(S::bare)))
     }
 
     /// The discs that an impact changes.

@@ -22,7 +22,11 @@ use crate::scalar::rounding::power_of_two;
 
 /// New symbols are due when the largest rest is more than 2 to this times the
 /// largest part that symbols explain.
-const DUE: i64 = -10;
+const DUE: i64 = -4;
+
+/// The most numbers that get common axes: these take a time that grows with
+/// the cube of the number. More are boxed one by one.
+const MOST_NUMBERS: usize = 250;
 
 /// More than sums and products of a few thousand bounds, each rounded to
 /// nearest, lose.
@@ -75,6 +79,7 @@ fn is_due(numbers: &[Enclosed<'_>]) -> bool {
 }
 
 /// The errors of all numbers in units of 2^`exponent`, at most about 1.
+#[derive(Clone, Debug)]
 struct Set {
     exponent: i64,
     /// For each symbol, the coefficients of all numbers.
@@ -129,9 +134,13 @@ impl Set {
         }
     }
 
-    /// The columns and, for each number, one for its rest.
+    /// The columns and, if there are fewer than numbers, the rest of each
+    /// number as a column.
     fn generators(&self) -> Vec<Vec<f64>> {
         let dimension = self.rest.len();
+        if self.columns.len() >= dimension {
+            return self.columns.clone();
+        }
         let rests = self.rest.iter().enumerate().map(|(row, rest)| {
             let mut column = vec![0.0; dimension];
             column[row] = *rest;
@@ -142,8 +151,27 @@ impl Set {
 
     /// For each number its coefficients and rest in a box about the set.
     fn boxed(&self) -> Vec<(Vec<f64>, f64)> {
+        if self.rest.len() > MOST_NUMBERS {
+            return self.boxed_apart();
+        }
+        self.boxed_along(&frame(self.rest.len(), self.generators()))
+    }
+
+    /// In a box along the coordinates: each number has a symbol of its own.
+    fn boxed_apart(&self) -> Vec<(Vec<f64>, f64)> {
+        let totals = self.rest.iter().zip(&self.linear);
+        let totals = totals.map(|(rest, linear)| (rest + linear) * INFLATION);
+        let alone = |(row, total)| {
+            let mut coefficients = vec![0.0; self.rest.len()];
+            coefficients[row] = total;
+            (coefficients, 0.0)
+        };
+        totals.enumerate().map(alone).collect()
+    }
+
+    /// In a box along axes that are nearly orthogonal.
+    fn boxed_along(&self, axes: &[Vec<f64>]) -> Vec<(Vec<f64>, f64)> {
         let dimension = self.rest.len();
-        let axes = frame(dimension, self.generators());
         let extents: Vec<_> = axes.iter().map(|axis| self.extent(axis)).collect();
         let rows: Vec<Vec<f64>> = (0..dimension)
             .map(|row| axes.iter().map(|axis| axis[row]).collect())
@@ -205,5 +233,106 @@ impl Set {
             }
         }
         defects
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_rational::BigRational;
+    use num_traits::Signed;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn ratio(number: f64) -> BigRational {
+        BigRational::from_float(number).unwrap()
+    }
+
+    /// Sets in three to nine dimensions: some flat, some with columns of very
+    /// different lengths; and where in it a point is.
+    fn set() -> impl Strategy<Value = (Set, Vec<f64>, Vec<f64>)> {
+        (3..10_usize, 0..12_usize).prop_flat_map(|(rows, columns)| {
+            let entry = prop_oneof![Just(0.0), -1.0..1.0_f64];
+            let column =
+                (prop::collection::vec(entry, rows), 0..60_i32).prop_map(|(column, down)| {
+                    column
+                        .iter()
+                        .map(|entry| entry * f64::from(-down).exp2())
+                        .collect::<Vec<_>>()
+                });
+            let rest =
+                (0.0..1.0_f64, 0..60_i32).prop_map(|(rest, down)| rest * f64::from(-down).exp2());
+            let place = || prop_oneof![Just(-1.0), Just(1.0), -1.0..1.0_f64];
+            (
+                prop::collection::vec(column, columns).prop_flat_map(move |columns| {
+                    let rest = rest.clone();
+                    prop::collection::vec(rest, rows)
+                        .prop_map(move |rest| made(columns.clone(), rest))
+                }),
+                prop::collection::vec(place(), columns),
+                prop::collection::vec(place(), rows),
+            )
+        })
+    }
+
+    fn made(columns: Vec<Vec<f64>>, rest: Vec<f64>) -> Set {
+        let sum =
+            |row: usize| columns.iter().map(|column| column[row].abs()).sum::<f64>() * INFLATION;
+        Set {
+            exponent: 0,
+            linear: (0..rest.len()).map(sum).collect(),
+            columns,
+            rest,
+        }
+    }
+
+    /// The point that values of the symbols and of the rests give.
+    fn point(set: &Set, symbols: &[f64], rests: &[f64]) -> Vec<BigRational> {
+        let at = |row: usize| {
+            let terms = set.columns.iter().zip(symbols);
+            let linear: BigRational = terms
+                .map(|(column, symbol)| ratio(column[row]) * ratio(*symbol))
+                .sum();
+            linear + ratio(set.rest[row]) * ratio(rests[row])
+        };
+        (0..rests.len()).map(at).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        /// With the new symbols at Qᵀ y / w, which must lie in [-1, 1], what
+        /// is left of y must be within the rests; all of it in rationals.
+        #[test]
+        fn the_box_encloses_the_set((set, symbols, rests) in set()) {
+            let point = point(&set, &symbols, &rests);
+            let axes = frame(point.len(), set.generators());
+            let mut left = point.clone();
+            for (index, axis) in axes.iter().enumerate() {
+                let along: BigRational = axis.iter().zip(&point).map(|(entry, part)| ratio(*entry) * part).sum();
+                let extent = ratio(set.extent(axis));
+                prop_assert!(along.abs() <= extent);
+                for (left, (coefficients, _)) in left.iter_mut().zip(set.boxed()) {
+                    *left -= ratio(coefficients[index]) * &along / &extent;
+                }
+            }
+            for (left, (_, rest)) in left.iter().zip(set.boxed()) {
+                prop_assert!(left.abs() <= ratio(rest));
+            }
+        }
+
+        /// A set that is flat but for rests 2^-40 times as large is boxed
+        /// about as flat.
+        #[test]
+        fn the_box_is_as_thin_as_the_set(direction in prop::array::uniform5(-1.0..1.0_f64)) {
+            let length = dot(&direction, &direction).sqrt();
+            prop_assume!(length > 0.1);
+            let rest = 2.0_f64.powi(-40);
+            let set = made(vec![direction.to_vec()], vec![rest; 5]);
+            let axes = frame(5, set.generators());
+            let extents: Vec<f64> = axes.iter().map(|axis| set.extent(axis)).collect();
+            prop_assert!(extents[0] < 1.001 * length);
+            prop_assert!(extents[1..].iter().all(|extent| *extent < 8.0 * rest));
+        }
     }
 }

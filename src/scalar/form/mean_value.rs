@@ -13,7 +13,7 @@
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
-use super::{Basis, Form, GUARD, LEAST_BITS, UNDERFLOW};
+use super::{Basis, Form, GUARD, UNDERFLOW};
 use crate::scalar::dyadic::Dyadic;
 use crate::scalar::gradient::Gradient;
 use crate::scalar::radius::Radius;
@@ -66,7 +66,7 @@ impl Variables {
             bits.set((most.max(number.bits), useful));
         });
         let (most, useful) = bits.get();
-        let worthwhile = most >= LEAST_BITS && !forms.borrow().is_empty();
+        let worthwhile = most >= Exact::STEP_BITS && !forms.borrow().is_empty();
         let useful = most.min((useful + 2 * GUARD) as u32);
         worthwhile.then(|| Self::new(forms.into_inner(), [most, useful]))
     }
@@ -184,5 +184,147 @@ fn add_scaled(sum: &mut Vec<f64>, factor: f64, terms: &[f64]) {
     }
     for (sum, term) in sum.iter_mut().zip(terms) {
         *sum += factor * term;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cmp::Ordering::Greater;
+
+    use num_rational::BigRational;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::scalar::Number;
+
+    const BITS: u32 = 2048;
+
+    /// A rotation by the angle of 3 + 4i, if the first number is above one
+    /// half: bounds of the two, one by one, grow by 7/5 each time, the truth
+    /// does not grow at all.
+    enum Rotation {}
+
+    impl Step for Rotation {
+        type Input<T> = [T; 2];
+        type Output<T> = [T; 2];
+
+        fn apply<T: Scalar>([x, y]: &[T; 2]) -> Result<Option<[T; 2]>, T::Doubt> {
+            let part = |n: i32| T::from_integer(n) / T::from_integer(5);
+            let half = T::from_integer(1) / T::from_integer(2);
+            let far = (x.square() + y.square()).compare(&half)? == Greater;
+            let turned = [
+                T::difference_of_products(x, &part(3), y, &part(4)),
+                x.clone() * part(4) + y.clone() * part(3),
+            ];
+            Ok(far.then_some(turned))
+        }
+
+        fn map_input<T, U>(input: &[T; 2], make: impl Fn(&T) -> U) -> [U; 2] {
+            [make(&input[0]), make(&input[1])]
+        }
+
+        fn map_output<T, U>(output: &[T; 2], make: impl Fn(&T) -> U) -> [U; 2] {
+            Self::map_input(output, make)
+        }
+    }
+
+    /// An enclosure about a number, that far from it at most.
+    fn about(number: f64, error: i64) -> Exact {
+        let middle = Dyadic::from_f64(number);
+        Exact::with_form(middle, Form::unknown(Radius::power_of_two(error)), BITS)
+    }
+
+    fn accuracy(number: &Exact) -> i64 {
+        number.accuracy().unwrap()
+    }
+
+    fn turned(mut point: [Exact; 2], times: usize) -> [Exact; 2] {
+        for _ in 0..times {
+            point = Exact::step::<Rotation>(|| point.clone()).unwrap();
+            Exact::rebase(point.iter_mut());
+        }
+        point
+    }
+
+    #[test]
+    fn a_rotation_does_not_wrap() {
+        let point = turned([about(1.0, -1000), about(0.25, -1000)], 300);
+        assert!(
+            point.iter().map(accuracy).max().unwrap() > 990,
+            "{:?}",
+            point.map(|n| accuracy(&n))
+        );
+        let mut plain = [about(1.0, -1000), about(0.25, -1000)];
+        for _ in 0..300 {
+            plain = Rotation::apply(&plain).unwrap().unwrap();
+        }
+        assert!(plain.iter().map(accuracy).max().unwrap() < 900);
+    }
+
+    #[test]
+    fn what_is_exact_or_short_takes_no_step() {
+        let number = |bits| Exact::from_number(&Number::from(1), bits);
+        assert!(Exact::step::<Rotation>(|| [number(BITS), number(BITS)]).is_none());
+        let short = || number(Exact::STEP_BITS - 1) / Exact::from_integer(3);
+        assert!(Exact::step::<Rotation>(|| [short().sqrt(), short()]).is_none());
+        let long = || (number(Exact::STEP_BITS) / Exact::from_integer(3)).sqrt();
+        let result = Exact::step::<Rotation>(|| [long(), long()]);
+        assert!(result.unwrap()[0].form.is_some());
+    }
+
+    /// 1/2 + 2^-60 is above one half, which binary64 does not see.
+    #[test]
+    fn what_binary64_does_not_decide_takes_no_step() {
+        let tiny = Exact::from_number(&"0x1p-60".parse().unwrap(), BITS);
+        let half = Exact::from_number(&"1/2".parse().unwrap(), BITS);
+        let close = (half.clone() + &tiny).sqrt();
+        assert_eq!(close.square().compare(&half), Ok(Greater));
+        let input = [close, about(0.0, -1000)];
+        assert!(Rotation::apply(&input).unwrap().is_some());
+        assert!(Exact::step::<Rotation>(|| input).is_none());
+    }
+
+    /// Symbols of one basis say nothing about another.
+    #[test]
+    fn bases_do_not_mix() {
+        let [mut x, _] = turned([about(1.0, -1000), about(0.25, -1000)], 1);
+        let [_, mut y] = turned([about(1.0, -1000), about(0.25, -1000)], 1);
+        Exact::rebase([&mut x].into_iter());
+        Exact::rebase([&mut y].into_iter());
+        let [a, b] = [&x, &y].map(|number| number.error().basis.clone().unwrap());
+        assert!(!a.is(&b));
+        let together = Exact::step::<Rotation>(|| [x, y]).unwrap();
+        assert!(together.iter().all(|number| accuracy(number) < 1000));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100))]
+
+        /// The images of the corners and of a point within, in rationals.
+        #[test]
+        fn images_are_enclosed(
+            [x, y] in prop::array::uniform2(0.75..1.0_f64),
+            errors in prop::array::uniform2(-40..-10_i64),
+            places in prop::array::uniform2(prop_oneof![Just(-1.0), Just(1.0), -1.0..1.0_f64]),
+        ) {
+            let ratio = |number: f64| BigRational::from_float(number).unwrap();
+            let fifths = |n: i32| BigRational::new(n.into(), 5.into());
+            let at = |middle: f64, error: i64, place: f64| ratio(middle) + ratio((error as f64).exp2()) * ratio(place);
+            let mut point = [at(x, errors[0], places[0]), at(y, errors[1], places[1])];
+            let mut input = [about(x, errors[0]), about(y, errors[1])];
+            for _ in 0..5 {
+                point = [
+                    &point[0] * fifths(3) - &point[1] * fifths(4),
+                    &point[0] * fifths(4) + &point[1] * fifths(3),
+                ];
+                let Some(output) = Exact::step::<Rotation>(|| input.clone()) else { break };
+                input = output;
+                Exact::rebase(input.iter_mut());
+                for (number, part) in input.iter().zip(&point) {
+                    let (lo, hi) = number.enclosure().unwrap();
+                    prop_assert!(lo <= *part && *part <= hi);
+                }
+            }
+        }
     }
 }

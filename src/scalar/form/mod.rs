@@ -27,9 +27,6 @@ use super::rounding::power_of_two;
 pub(super) use lohner::{Enclosed, rebase};
 pub(super) use mean_value::step;
 
-/// The bits from which on forms pay for themselves.
-pub(super) const LEAST_BITS: u32 = 1024;
-
 /// Bits of a midpoint that are kept below its radius: as many as the
 /// coefficients have, and some.
 const GUARD: i64 = 64;

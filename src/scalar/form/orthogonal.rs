@@ -6,27 +6,38 @@
 
 /// Columns of an orthogonal matrix; the first k span what the k longest
 /// `vectors` nearly span, each measured without its part in the span before.
-pub(super) fn frame(dimension: usize, mut vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-    let mut mirrors = Vec::with_capacity(dimension);
+pub(super) fn frame(dimension: usize, vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let measured = vectors
+        .into_iter()
+        .map(|vector| (dot(&vector, &vector), vector));
+    let mut vectors: Vec<_> = measured.collect();
+    let mut mirrors: Vec<Mirror> = Vec::with_capacity(dimension);
     while mirrors.len() < dimension {
         let done = mirrors.len();
-        let longest = (0..vectors.len()).max_by(|&one, &other| {
-            let [one, other] = [one, other].map(|index| dot(&vectors[index], &vectors[index]));
-            one.total_cmp(&other)
-        });
-        let Some(mirror) = longest.and_then(|index| Mirror::of(vectors.swap_remove(index))) else {
+        let Some(mirror) =
+            take_longest(&mut vectors).and_then(|vector| Mirror::of(&vector[done..]))
+        else {
             break;
         };
-        for vector in &mut vectors {
-            mirror.apply(vector);
-            vector.drain(..1);
+        for (length_squared, vector) in &mut vectors {
+            mirror.apply(&mut vector[done..]);
+            *length_squared -= vector[done] * vector[done];
         }
-        debug_assert_eq!(mirror.normal.len() + done, dimension);
         mirrors.push(mirror);
     }
-    (0..dimension)
+    let columns = 0..dimension;
+    columns
         .map(|column| image(column, dimension, &mirrors))
         .collect()
+}
+
+/// The longest of vectors that come with their lengths squared.
+fn take_longest(vectors: &mut Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
+    let lengths = vectors.iter().map(|(length_squared, _)| length_squared);
+    let (longest, _) = lengths
+        .enumerate()
+        .max_by(|one, other| one.1.total_cmp(other.1))?;
+    Some(vectors.swap_remove(longest).1)
 }
 
 /// Where all mirrors take a unit vector, the last one first.
@@ -46,7 +57,8 @@ struct Mirror {
 
 impl Mirror {
     /// The mirror that takes a vector to the first axis, unless it is null.
-    fn of(mut vector: Vec<f64>) -> Option<Self> {
+    fn of(vector: &[f64]) -> Option<Self> {
+        let mut vector = vector.to_vec();
         let length = dot(&vector, &vector).sqrt();
         let first = vector.first_mut()?;
         *first += length.copysign(*first);
