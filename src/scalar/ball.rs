@@ -73,11 +73,6 @@ impl Ball {
         self.mid
     }
 
-    /// Learns of another bound of the error.
-    pub(crate) fn limit(&mut self, rad: Radius) {
-        self.rad = self.rad.min(rad);
-    }
-
     /// A ball about an exact number.
     pub(crate) fn from_dyadic(number: Dyadic, bits: u32) -> Self {
         Self::rounded(number, Radius::ZERO, bits)

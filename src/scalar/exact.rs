@@ -100,7 +100,7 @@ impl Exact {
 
     /// What a basis is made of, unless the number is not one with a form.
     fn enclosed(&mut self) -> Option<Enclosed<'_>> {
-        match (&mut self.value, &mut self.form) {
+        match (&self.value, &mut self.form) {
             (Value::Ball(ball), Some(form)) => Some(Enclosed { ball, form }),
             _ => None,
         }
@@ -186,7 +186,7 @@ impl Scalar for Exact {
         form::step::<P>(&input())
     }
 
-    /// By Lohner's method.
+    /// With a symbol for each number, when rests have grown.
     fn rebase<'a>(numbers: impl Iterator<Item = &'a mut Self>) {
         form::rebase(numbers.filter_map(Self::enclosed).collect());
     }

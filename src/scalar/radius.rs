@@ -137,15 +137,9 @@ impl Radius {
         Self::up(fraction | u64::from(biased > 0) << 52, biased.max(1) - 1075)
     }
 
-    /// At least the bound in units of 2^`exponent`, as a binary64 number.
-    pub(crate) fn to_f64(self, exponent: i64) -> f64 {
-        let shift = self.exponent - exponent;
-        match shift {
-            _ if self.is_zero() => 0.0,
-            ..-1000 => power_of_two(-900),
-            -1000..=900 => f64::from(self.mantissa) * power_of_two(shift),
-            _ => f64::INFINITY,
-        }
+    /// The bound in units of 2 to its [`top`](Self::top), exactly.
+    pub(crate) fn fraction(self) -> f64 {
+        f64::from(self.mantissa) * power_of_two(-32)
     }
 
     /// At most the magnitude of a number.

@@ -14,7 +14,6 @@ use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
 use super::{Basis, Form, GUARD, UNDERFLOW};
-use crate::scalar::dyadic::Dyadic;
 use crate::scalar::gradient::Gradient;
 use crate::scalar::radius::Radius;
 use crate::scalar::rounding::power_of_two;
@@ -44,25 +43,53 @@ pub(in crate::scalar) fn step<P: Step>(input: &P::Input<Exact>) -> Option<P::Out
 
 /// The inputs that are not known exactly, as far as there is room for them.
 struct Variables {
-    forms: Vec<Arc<Form>>,
-    /// The basis and the unit of the forms that have symbols.
+    list: Vec<Variable>,
+    /// The symbols that matter, and their basis.
+    symbols: Vec<u32>,
     basis: Option<Basis>,
+    /// The unit of coefficients.
     exponent: i64,
     /// The bits that the input carries, and those worth computing with.
     bits: [u32; 2],
+}
+
+/// How far an input is from its midpoint.
+struct Variable {
+    /// In units of 2 to the common exponent, for each symbol.
+    coefficients: Vec<f64>,
+    linear: Radius,
+    rest: Radius,
+}
+
+impl Variable {
+    fn new(form: &Form, exponent: i64, symbols: &[u32]) -> Self {
+        let mut coefficients = vec![0.0; symbols.len()];
+        let mut place = 0;
+        for (symbol, coefficient) in &form.terms {
+            place += symbols[place..].partition_point(|other| other < symbol);
+            coefficients[place] = coefficient * power_of_two(form.exponent - exponent);
+        }
+        let underflow = match form.terms.is_empty() {
+            true => Radius::ZERO,
+            false => Radius::power_of_two(exponent + UNDERFLOW),
+        };
+        Self {
+            coefficients,
+            linear: form.linear,
+            rest: form.rest.add(underflow),
+        }
+    }
 }
 
 impl Variables {
     fn of<P: Step>(input: &P::Input<Exact>) -> Option<Self> {
         let (forms, bits) = (RefCell::new(Vec::new()), Cell::new((0, 0)));
         P::map_input(input, |number| {
-            let (most, useful) = bits.get();
-            let useful = if is_variable(number, forms.borrow().len()) {
+            let (most, mut useful) = bits.get();
+            if is_variable(number, forms.borrow().len()) {
                 forms.borrow_mut().push(number.error());
-                useful.max(number.accuracy().unwrap_or(0))
-            } else {
-                useful
-            };
+                useful = useful.max(number.accuracy().unwrap_or(0));
+            }
             bits.set((most.max(number.bits), useful));
         });
         let (most, useful) = bits.get();
@@ -86,8 +113,13 @@ impl Variables {
                 *form = Arc::new(Form::unknown(form.total()));
             }
         }
+        let symbols = symbols(&forms);
+        let variables = forms
+            .iter()
+            .map(|form| Variable::new(form, exponent, &symbols));
         Self {
-            forms,
+            list: variables.collect(),
+            symbols,
             basis,
             exponent,
             bits,
@@ -137,54 +169,59 @@ impl Variables {
 
     /// The number about the value that the step has in the middle.
     fn compose(&self, middle: &Exact, slope: &Gradient) -> Option<Exact> {
-        let slopes = || self.forms.iter().zip(slope.partials());
+        let slopes = || self.list.iter().zip(slope.partials());
         if slopes().all(|(_, slope)| *slope == Interval::ZERO) {
             return Some(middle.clone().with_bits(self.bits[0]));
         }
-        let mut coefficients = Vec::new();
         let ball = middle.to_ball();
-        let mut rest = ball.view().radius();
-        for (form, slope) in slopes() {
+        let mut coefficients = vec![0.0; self.symbols.len()];
+        let mut rest = ball.view().radius().add(self.underflow());
+        for (variable, slope) in slopes() {
             let nearest = slope.to_f64();
             let error = (*slope - Interval::point(nearest)).magnitude();
             let rounding = Radius::magnitude(nearest).mul(Radius::power_of_two(ROUNDING));
             rest = rest
-                .add(Radius::magnitude(slope.magnitude()).mul(form.rest))
-                .add(Radius::magnitude(error).add(rounding).mul(form.linear));
-            if form.basis.is_some() {
-                let factor = nearest * power_of_two(form.exponent - self.exponent);
-                add_scaled(&mut coefficients, factor, &form.coefficients);
+                .add(Radius::magnitude(slope.magnitude()).mul(variable.rest))
+                .add(Radius::magnitude(error).add(rounding).mul(variable.linear));
+            for (sum, coefficient) in coefficients.iter_mut().zip(&variable.coefficients) {
+                *sum += nearest * coefficient;
             }
         }
-        self.finish(ball.into_middle(), coefficients, rest)
+        let form = self.form(coefficients, rest)?;
+        let known = !form.total().is_unknown();
+        known.then(|| Exact::with_form(ball.into_middle(), form, self.bits[0]))
     }
 
-    fn finish(&self, middle: Dyadic, coefficients: Vec<f64>, rest: Radius) -> Option<Exact> {
-        let form = match &self.basis {
-            Some(basis) => {
-                let underflow = Radius::power_of_two(self.exponent + UNDERFLOW);
-                Form::new(basis, coefficients, self.exponent, rest.add(underflow))?
-            }
-            None => Form::unknown(rest),
+    fn form(&self, coefficients: Vec<f64>, rest: Radius) -> Option<Form> {
+        let Some(basis) = &self.basis else {
+            return Some(Form::unknown(rest));
         };
-        let known = !form.total().is_unknown();
-        known.then(|| Exact::with_form(middle, form, self.bits[0]))
+        let terms = self.symbols.iter().copied().zip(coefficients).collect();
+        Form::new(basis, terms, self.exponent, rest)
     }
+
+    /// What may be lost in sums of coefficients that are too small for
+    /// binary64.
+    fn underflow(&self) -> Radius {
+        match &self.basis {
+            Some(_) => Radius::power_of_two(self.exponent + UNDERFLOW),
+            None => Radius::ZERO,
+        }
+    }
+}
+
+/// The symbols of all forms, in ascending order.
+fn symbols(forms: &[Arc<Form>]) -> Vec<u32> {
+    let terms = forms.iter().flat_map(|form| &form.terms);
+    let mut symbols: Vec<u32> = terms.map(|(symbol, _)| *symbol).collect();
+    symbols.sort_unstable();
+    symbols.dedup();
+    symbols
 }
 
 /// Whether a number is one of the variables, after so many others.
 fn is_variable(number: &Exact, before: usize) -> bool {
     before < Gradient::VARIABLES && !number.is_rational()
-}
-
-/// Adds a multiple of a vector; an empty one is zero.
-fn add_scaled(sum: &mut Vec<f64>, factor: f64, terms: &[f64]) {
-    if sum.len() < terms.len() {
-        sum.resize(terms.len(), 0.0);
-    }
-    for (sum, term) in sum.iter_mut().zip(terms) {
-        *sum += factor * term;
-    }
 }
 
 #[cfg(test)]
@@ -196,6 +233,7 @@ mod tests {
 
     use super::*;
     use crate::scalar::Number;
+    use crate::scalar::dyadic::Dyadic;
 
     const BITS: u32 = 2048;
 
@@ -247,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rotation_does_not_wrap() {
+    fn a_rotation_hardly_wraps() {
         let point = turned([about(1.0, -1000), about(0.25, -1000)], 300);
         assert!(
             point.iter().map(accuracy).max().unwrap() > 990,

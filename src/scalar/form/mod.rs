@@ -13,9 +13,8 @@
 //! The coefficients are binary64 numbers with a common power of two. What
 //! rounds in computing with them is bounded beforehand and goes to the rest.
 
-mod lohner;
 mod mean_value;
-mod orthogonal;
+mod rebase;
 
 use std::sync::Arc;
 
@@ -24,8 +23,8 @@ use super::dyadic::Dyadic;
 use super::radius::Radius;
 use super::rounding::power_of_two;
 
-pub(super) use lohner::{Enclosed, rebase};
 pub(super) use mean_value::step;
+pub(super) use rebase::{Enclosed, rebase};
 
 /// Bits of a midpoint that are kept below its radius: as many as the
 /// coefficients have, and some.
@@ -54,8 +53,9 @@ impl Basis {
 pub(super) struct Form {
     /// None where there are no symbols, and the rest is all.
     basis: Option<Basis>,
-    /// At most about 1 each, in units of 2^`exponent`.
-    coefficients: Vec<f64>,
+    /// Symbols, in ascending order, with their coefficients: at most about 1
+    /// each, in units of 2^`exponent`.
+    terms: Vec<(u32, f64)>,
     exponent: i64,
     /// A bound of the sum of all coefficients.
     linear: Radius,
@@ -68,34 +68,48 @@ impl Form {
     pub(super) fn unknown(rest: Radius) -> Self {
         Self {
             basis: None,
-            coefficients: Vec::new(),
+            terms: Vec::new(),
             exponent: 0,
             linear: Radius::ZERO,
             rest,
         }
     }
 
-    /// The form with these coefficients in units of 2^`exponent`; none if
-    /// they overflow.
-    fn new(basis: &Basis, mut coefficients: Vec<f64>, exponent: i64, rest: Radius) -> Option<Self> {
-        let sum: f64 = coefficients.iter().map(|term| term.abs()).sum();
+    /// What one symbol explains.
+    fn of_symbol(basis: &Basis, symbol: u32, bound: Radius) -> Self {
+        Self {
+            basis: Some(basis.clone()),
+            terms: vec![(symbol, bound.fraction())],
+            exponent: bound.top(),
+            linear: bound,
+            rest: Radius::ZERO,
+        }
+    }
+
+    /// The form with these terms in units of 2^`exponent`; none if they
+    /// overflow.
+    fn new(basis: &Basis, mut terms: Vec<(u32, f64)>, exponent: i64, rest: Radius) -> Option<Self> {
+        terms.retain(|(_, coefficient)| *coefficient != 0.0);
+        let sum: f64 = terms.iter().map(|(_, coefficient)| coefficient.abs()).sum();
         if !sum.is_finite() {
             return None;
         }
-        if sum == 0.0 {
+        if terms.is_empty() {
             return Some(Self::unknown(rest));
         }
-        let unit = binary_exponent(sum).clamp(-1000, 1000);
-        let factor = power_of_two(-unit);
-        coefficients.iter_mut().for_each(|term| *term *= factor);
-        let exponent = exponent + unit;
-        let roundings = Radius::magnitude(1.0 + coefficients.len() as f64 * f64::EPSILON);
-        let unit = Radius::power_of_two(exponent);
+        let shift = binary_exponent(sum).clamp(-1000, 1000);
+        let factor = power_of_two(-shift);
+        for (_, coefficient) in &mut terms {
+            *coefficient *= factor;
+        }
+        let exponent = exponent + shift;
+        let rounding = Radius::magnitude(1.0 + terms.len() as f64 * f64::EPSILON);
+        let sum = Radius::magnitude(sum * factor).mul(rounding);
         Some(Self {
             basis: Some(basis.clone()),
-            coefficients,
+            terms,
             exponent,
-            linear: Radius::magnitude(sum * factor).mul(roundings).mul(unit),
+            linear: sum.mul(Radius::power_of_two(exponent)),
             rest: rest.add(Radius::power_of_two(exponent + UNDERFLOW)),
         })
     }
