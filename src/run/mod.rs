@@ -145,7 +145,7 @@ impl<S: Arithmetic> Outcome<S> {
     /// How a run that failed came to its end, which is that of the time or of
     /// the number of impacts.
     fn shortfall(&self, progress: Progress, max_events: u64) -> Shortfall {
-        let impacts = progress.impacts as f64 / max_events as f64;
+        let impacts = self.impacts.len() as f64 / max_events as f64;
         let bits = S::bits(self.precision).unwrap_or_default();
         Shortfall {
             progress: progress.fraction().max(impacts.min(1.0)),

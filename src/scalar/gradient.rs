@@ -49,6 +49,19 @@ impl Gradient {
         Self { value, partials }
     }
 
+    /// (a b)' = a' b + b' a.
+    fn product(&self, other: &Self) -> Self {
+        self.combine(other, self.value * other.value, |a, b| {
+            a * other.value + b * self.value
+        })
+    }
+
+    /// (a / b)' = (a' - (a / b) b') / b.
+    fn quotient(&self, other: &Self) -> Self {
+        let quotient = self.value / other.value;
+        self.combine(other, quotient, |a, b| (a - quotient * b) / other.value)
+    }
+
     /// A function of two others, whose partial derivatives are made from
     /// theirs.
     fn combine(
@@ -136,21 +149,16 @@ impl Sub<&Self> for Gradient {
 impl Mul<&Self> for Gradient {
     type Output = Self;
 
-    /// (a b)' = a' b + b' a.
     fn mul(self, other: &Self) -> Self {
-        self.combine(other, self.value * other.value, |a, b| {
-            a * other.value + b * self.value
-        })
+        self.product(other)
     }
 }
 
 impl Div<&Self> for Gradient {
     type Output = Self;
 
-    /// (a / b)' = (a' - (a / b) b') / b.
     fn div(self, other: &Self) -> Self {
-        let quotient = self.value / other.value;
-        self.combine(other, quotient, |a, b| (a - quotient * b) / other.value)
+        self.quotient(other)
     }
 }
 
