@@ -1,13 +1,15 @@
-//! How many bits exact arithmetic loses an impact, and how many the dynamics
-//! themselves lose; and what that costs.
+//! How many bits exact arithmetic loses an impact, how many the dynamics
+//! themselves lose, and what that costs.
 //!
 //! ```text
-//! cargo run --release --example enclosures [DISCS [IMPACTS [BITS]]]
+//! cargo run --release --example enclosures [DISCS…]
 //! ```
 //!
-//! The loss of an enclosure is what the state at the end lacks of the bits it
-//! was computed with. That of the dynamics is how far two runs part whose
-//! starts differ by 2^-BITS/2 in one coordinate.
+//! For gases of 3, 10 and 30 discs, or of as many as the arguments say: a run
+//! with fewer bits than a step as a whole takes, runs with more, and how far
+//! two runs part whose starts differ by 2^-1024 in one coordinate. What an
+//! enclosure loses is what the state at the end lacks of the bits it was
+//! computed with.
 
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -21,40 +23,45 @@ use carom::simulation::Algorithm;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
+/// The impacts of a run.
+const IMPACTS: u32 = 600;
+
+/// The bits of a run: too few for steps, just enough, and more.
+const BITS: [u32; 4] = [Exact::STEP_BITS - 1, Exact::STEP_BITS, 2048, 4096];
+
+/// The exponent of the difference between two starts.
+const NUDGE: u32 = 1024;
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let arguments: Result<Vec<u32>, _> =
-        std::env::args().skip(1).map(|text| text.parse()).collect();
-    let arguments = arguments?;
-    let argument = |index: usize, default| arguments.get(index).copied().unwrap_or(default);
-    let (discs, impacts) = (argument(0, 10), argument(1, 1000));
-    let bits = argument(2, 2048);
-    let scene = generate::gas(42, discs, 0.3)?;
-    let began = Instant::now();
-    let outcome = follow(&scene, bits, impacts)?;
-    let elapsed = began.elapsed().as_secs_f64();
-    let reached = outcome.impacts.len();
-    let lost = i64::from(bits) - outcome.certain_bits().map_or(0, i64::from);
-    println!(
-        "{discs} discs, {bits} bits: {reached} impacts in {elapsed:.3} s ({:.1} us each), {lost} bits lost, {:.3} an impact ({:?})",
-        elapsed * 1e6 / reached as f64,
-        lost as f64 / reached as f64,
-        outcome.status,
-    );
-    if argument(3, 1) == 1 {
-        let other = follow(&nudged(&scene, bits / 2)?, bits, impacts)?;
-        let same = outcome
-            .impacts
-            .iter()
-            .zip(&other.impacts)
-            .take_while(|(one, other)| one.pair == other.pair)
-            .count();
-        let apart = distance(&outcome.end, &other.end) + i64::from(bits / 2);
-        println!(
-            "{same} impacts in common, the dynamics lose {apart} bits, {:.3} an impact",
-            apart as f64 / reached as f64
-        );
+    let counts: Result<Vec<u32>, _> = std::env::args().skip(1).map(|text| text.parse()).collect();
+    let counts = match counts? {
+        none if none.is_empty() => vec![3, 10, 30],
+        counts => counts,
+    };
+    println!("discs   bits  impacts  us an impact  bits lost an impact");
+    for discs in counts {
+        let scene = generate::gas(42, discs, 0.3)?;
+        for bits in BITS {
+            let began = Instant::now();
+            let outcome = follow(&scene, bits, IMPACTS)?;
+            let micros = began.elapsed().as_secs_f64() * 1e6;
+            let impacts = outcome.impacts.len() as f64;
+            let lost = bits - outcome.certain_bits().unwrap_or(bits);
+            let (cost, rate) = (micros / impacts, f64::from(lost) / impacts);
+            println!("{discs:5} {bits:6} {impacts:8} {cost:13.1} {rate:20.3}");
+        }
+        println!("{discs:5} the dynamics {:38.3}", divergence(&scene)?);
     }
     Ok(())
+}
+
+/// The bits an impact by which two runs part.
+fn divergence(scene: &Scene) -> Result<f64, Box<dyn std::error::Error>> {
+    let bits = 2 * NUDGE;
+    let one = follow(scene, bits, IMPACTS)?;
+    let other = follow(&nudged(scene, NUDGE)?, bits, IMPACTS)?;
+    let apart = distance(&one.end, &other.end) + i64::from(NUDGE);
+    Ok(apart as f64 / f64::from(IMPACTS))
 }
 
 /// A run of so many impacts, with so many bits.

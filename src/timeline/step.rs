@@ -1,9 +1,16 @@
 //! From the states of two bodies to their impact and past it, as one
 //! [`Step`]: the numbers alone, once it is decided that they meet.
+//!
+//! The physics is that of `detect` and `respond`. What is computed at one
+//! place of [`Flights`] and [`World::collide`] in steps of their own is here in
+//! one piece, so that an arithmetic can tell how the numbers after an impact
+//! depend on those before.
+//!
+//! [`World::collide`]: crate::world::World
 
 use super::flight::Flights;
 use crate::body::{Disc, Feature};
-use crate::detect::{Segment, meet_circle, meet_segment};
+use crate::detect::{Encounter, Segment, meet_circle, meet_segment};
 use crate::respond::{Normal, Restitution, collide_discs, collide_wall};
 use crate::scalar::{Scalar, Step};
 use crate::vec2::Vec2;
@@ -89,6 +96,12 @@ impl Step for Leap {
     }
 }
 
+/// The time until an impact; none where there is no impact, or no delay.
+fn delay<T>(met: Option<Encounter<T>>) -> Option<T> {
+    let met = met.filter(|met| !met.graze && !met.overlap)?;
+    Some(met.delay)
+}
+
 fn meet_disc<T: Scalar>(
     early: &Body<T>,
     late: &Body<T>,
@@ -98,10 +111,10 @@ fn meet_disc<T: Scalar>(
     let offset = late.disc.position.minus(&start.position);
     let velocity = late.disc.velocity.minus(&start.velocity);
     let reach = early.disc.radius.clone() + &late.disc.radius;
-    let Some(met) = meet_circle(&offset, &velocity, &reach)? else {
+    let Some(delay) = delay(meet_circle(&offset, &velocity, &reach)?) else {
         return Ok(None);
     };
-    let time = late.since.clone() + met.delay;
+    let time = late.since.clone() + delay;
     let [mut disc, mut other] = [early, late].map(|body| body.at(&time));
     let normal = Normal::at_contact(other.position.minus(&disc.position), &reach);
     collide_discs(&mut disc, &mut other, &normal, restitution)?;
@@ -120,14 +133,14 @@ fn meet_wall<T: Scalar>(
         radius,
         ..
     } = &body.disc;
-    let Some(met) = meet_segment(position, velocity, radius, wall, |_| true)? else {
+    let Some(delay) = delay(meet_segment(position, velocity, radius, wall, |_| true)?) else {
         return Ok(None);
     };
     let normal = Normal {
         direction: wall.along.perpendicular(),
         squared: wall.length_squared.clone(),
     };
-    reflect(body, met.delay, |_| normal, restitution).map(Some)
+    reflect(body, delay, |_| normal, restitution).map(Some)
 }
 
 fn meet_corner<T: Scalar>(
@@ -141,11 +154,11 @@ fn meet_corner<T: Scalar>(
         radius,
         ..
     } = &body.disc;
-    let Some(met) = meet_circle(&position.minus(corner), velocity, radius)? else {
+    let Some(delay) = delay(meet_circle(&position.minus(corner), velocity, radius)?) else {
         return Ok(None);
     };
     let normal = |disc: &Disc<T>| Normal::at_contact(corner.minus(&disc.position), radius);
-    reflect(body, met.delay, normal, restitution).map(Some)
+    reflect(body, delay, normal, restitution).map(Some)
 }
 
 fn reflect<T: Scalar>(
