@@ -57,7 +57,8 @@ pub struct Contact<S> {
 impl<S: Arithmetic> Impact<S> {
     /// The impact in as little memory as so many digits of its numbers take.
     pub(crate) fn shortened(self, digits: u32) -> Self {
-        let contact = self.contact.map(|contact| contact.shortened(digits));
+        let shortened = |number: &S| number.clone().shortened(digits);
+        let contact = self.contact.map(|contact| contact.map(shortened));
         Self {
             time: self.time.shortened(digits),
             other_time: self.other_time.map(|time| time.shortened(digits)),
@@ -67,17 +68,14 @@ impl<S: Arithmetic> Impact<S> {
     }
 }
 
-impl<S: Arithmetic> Contact<S> {
-    fn shortened(self, digits: u32) -> Self {
-        let vector = |vector: Vec2<S>| {
-            let Vec2 { x, y } = vector;
-            Vec2::new(x.shortened(digits), y.shortened(digits))
-        };
-        Self {
-            normal: vector(self.normal),
-            centre: vector(self.centre),
-            velocity: vector(self.velocity),
-            other_velocity: self.other_velocity.map(vector),
+impl<S> Contact<S> {
+    /// The same contact with numbers made from its own.
+    pub(crate) fn map<T>(&self, make: impl Fn(&S) -> T) -> Contact<T> {
+        Contact {
+            normal: self.normal.map(&make),
+            centre: self.centre.map(&make),
+            velocity: self.velocity.map(&make),
+            other_velocity: self.other_velocity.as_ref().map(|other| other.map(&make)),
         }
     }
 }
@@ -104,26 +102,49 @@ impl<S: Scalar> World<S> {
         place: Place<S>,
     ) -> Result<Contact<S>, S::Doubt> {
         let normal = self.normal(disc, feature, &place);
-        let other_velocity = match feature {
+        match feature {
             Feature::Disc(other) => {
-                let other = other as usize;
-                let [first, second] = two(&mut self.discs, disc, other);
+                let [first, second] = two(&mut self.discs, disc, other as usize);
                 collide_discs(first, second, &normal, &self.restitution)?;
-                Some(second.velocity.clone())
             }
             Feature::Wall(_) | Feature::Corner(_) => {
                 collide_wall(&mut self.discs[disc], &normal, &self.restitution)?;
-                None
             }
-        };
+        }
+        Ok(self.part(disc, feature, place.centre, normal.direction))
+    }
+
+    /// Notes that a disc and a feature have collided, and part from now on.
+    fn part(
+        &mut self,
+        disc: usize,
+        feature: Feature,
+        centre: Vec2<S>,
+        normal: Vec2<S>,
+    ) -> Contact<S> {
         self.remember(disc, feature);
-        let body = &self.discs[disc];
-        Ok(Contact {
-            normal: normal.direction,
-            centre: place.centre,
-            velocity: body.velocity.clone(),
+        let other_velocity = match feature {
+            Feature::Disc(other) => Some(self.discs[other as usize].velocity.clone()),
+            Feature::Wall(_) | Feature::Corner(_) => None,
+        };
+        Contact {
+            normal,
+            centre,
+            velocity: self.discs[disc].velocity.clone(),
             other_velocity,
-        })
+        }
+    }
+
+    /// The contact of a disc and a feature whose velocities after their
+    /// impact are known already.
+    pub(crate) fn collided(
+        &mut self,
+        disc: usize,
+        feature: Feature,
+        place: Place<S>,
+    ) -> Contact<S> {
+        let normal = self.normal(disc, feature, &place).direction;
+        self.part(disc, feature, place.centre, normal)
     }
 }
 

@@ -52,6 +52,19 @@ pub struct Segment<S> {
     pub length_squared: S,
 }
 
+impl<S> Segment<S> {
+    /// The same segment in another arithmetic.
+    pub fn map<T>(&self, make: impl Fn(&S) -> T) -> Segment<T> {
+        Segment {
+            from: self.from.map(&make),
+            to: self.to.map(&make),
+            along: self.along.map(&make),
+            length: make(&self.length),
+            length_squared: make(&self.length_squared),
+        }
+    }
+}
+
 impl<S: Scalar> Segment<S> {
     /// The segment between two points that differ by `along`.
     pub fn new(from: Vec2<S>, to: Vec2<S>, along: Vec2<S>) -> Self {

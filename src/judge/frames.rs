@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::tally::{Logged, Tally, compare_frame};
 use super::truth::{Truth, true_frame};
-use crate::arithmetic::{Arithmetic, Budget};
+use crate::arithmetic::{Arithmetic, Budget, Shortfall};
 use crate::body::Disc;
 use crate::contacts::Contacts;
 use crate::scalar::{Doubt, Exact, Scalar, Undecided};
@@ -56,7 +56,8 @@ pub fn judge<S: Arithmetic>(
             return Ok(trial.judged);
         };
         let progress = trial.judged.frames as f64 / scene.frame().count as f64;
-        match S::next_precision(budget, precision, progress) {
+        let short = Shortfall { progress, left: 0 };
+        match S::next_precision(budget, precision, short) {
             Some(next) => precision = next,
             None => {
                 trial.judged.failure = Some(failure);
@@ -138,7 +139,11 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
             if S::FILTERED {
                 return Err(failure);
             }
-            match self.budget.next_bits(bits, 1.0) {
+            let short = Shortfall {
+                progress: 1.0,
+                left: bits,
+            };
+            match self.budget.next_bits(bits, short) {
                 Some(next) => bits = next,
                 None => return Ok(None),
             }

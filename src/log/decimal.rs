@@ -1,6 +1,7 @@
 //! Rationals as decimals, rounded in a chosen direction.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -24,13 +25,27 @@ pub(super) fn rounded(value: &BigRational, digits: u32, direction: Direction) ->
         return String::from("0");
     }
     let places = i64::from(digits) - 1 - exponent(value);
-    let scaled = value * power_of_ten(places);
+    let (numerator, denominator) = scaled(value, places);
     let integer = match direction {
-        Direction::Down => scaled.floor(),
-        Direction::Nearest => scaled.round(),
-        Direction::Up => scaled.ceil(),
+        Direction::Down => numerator.div_floor(&denominator),
+        Direction::Nearest => {
+            (numerator * 2 + &denominator * value.numer().signum()) / (denominator * 2)
+        }
+        Direction::Up => numerator.div_ceil(&denominator),
     };
-    written(&integer.to_integer(), places)
+    written(&integer, places)
+}
+
+/// The numerator and the denominator of a number times 10^`places`. Long
+/// fractions are not brought to lowest terms, which would take long.
+fn scaled(value: &BigRational, places: i64) -> (BigInt, BigInt) {
+    let power = ten().pow(places.unsigned_abs() as u32);
+    let (numerator, denominator) = (value.numer(), value.denom());
+    if places >= 0 {
+        (numerator * power, denominator.clone())
+    } else {
+        (numerator.clone(), denominator * power)
+    }
 }
 
 /// The number itself: a decimal if that takes no more than so many digits,
@@ -68,11 +83,14 @@ fn exponent(value: &BigRational) -> i64 {
     let (numerator, denominator) = (value.numer().magnitude(), value.denom().magnitude());
     let bits = numerator.bits() as f64 - denominator.bits() as f64;
     let mut exponent = (bits * std::f64::consts::LOG10_2).floor() as i64;
-    let magnitude = value.abs();
-    while magnitude < power_of_ten(exponent) {
+    let is_below = |exponent: i64| {
+        let (numerator, denominator) = scaled(value, -exponent);
+        numerator.magnitude() < denominator.magnitude()
+    };
+    while is_below(exponent) {
         exponent -= 1;
     }
-    while magnitude >= power_of_ten(exponent + 1) {
+    while !is_below(exponent + 1) {
         exponent += 1;
     }
     exponent

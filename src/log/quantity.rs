@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::decimal::{self, Direction};
 use crate::arithmetic::Arithmetic;
 use crate::run::Accumulation;
-use crate::scalar::Number;
+use crate::scalar::{Scalar, nearest_binary64};
 
 /// The digits that bounds have beyond those that are correct, so that
 /// rounding outwards takes none of those away.
@@ -68,7 +68,8 @@ impl Bounds {
     /// nothing is proven.
     pub fn new<S: Arithmetic>(value: &S, digits: u32) -> Option<Self> {
         let (lo, hi) = value.enclosure()?;
-        Some(Self::between(nearest(value), &lo, &hi, digits))
+        let nearest = nearest_between(&lo, &hi, value);
+        Some(Self::between(nearest, &lo, &hi, digits))
     }
 
     fn between(nearest: f64, lo: &BigRational, hi: &BigRational, digits: u32) -> Self {
@@ -93,15 +94,15 @@ impl Bounds {
 /// Where they differ the true value is next to the middle of two binary64
 /// numbers, and the one nearest to the middle of the bounds is taken.
 pub(super) fn nearest<S: Arithmetic>(value: &S) -> f64 {
-    let ends = value.enclosure().map(|(lo, hi)| [lo, hi].map(rounded));
-    match ends {
-        Some([Some(lo), Some(hi)]) if lo == hi => finite(lo),
-        _ => finite(value.to_f64()),
+    match value.enclosure() {
+        Some((lo, hi)) => nearest_between(&lo, &hi, value),
+        None => finite(value.to_f64()),
     }
 }
 
-fn rounded(value: BigRational) -> Option<f64> {
-    Number::try_from(value).ok().map(|number| number.to_f64())
+fn nearest_between<S: Scalar>(lo: &BigRational, hi: &BigRational, value: &S) -> f64 {
+    let [lo, hi] = [lo, hi].map(nearest_binary64);
+    finite(if lo == hi { lo } else { value.to_f64() })
 }
 
 /// JSON has no infinities: beyond the largest binary64 that one is nearest. It

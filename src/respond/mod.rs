@@ -48,7 +48,7 @@ pub enum Restitution<S> {
     },
 }
 
-impl<S: Scalar> Restitution<S> {
+impl<S> Restitution<S> {
     /// The same rule in another arithmetic.
     pub fn map<T>(&self, make: impl Fn(&S) -> T) -> Restitution<T> {
         match self {
@@ -79,7 +79,9 @@ impl<S: Scalar> Restitution<S> {
         };
         numbers.into_iter().flatten()
     }
+}
 
+impl<S: Scalar> Restitution<S> {
     /// 1 + e for an impact that approaches with w·n along a normal of which
     /// the square is given.
     fn strength(&self, against: Against, approach: &S, normal_squared: &S) -> Result<S, S::Doubt> {

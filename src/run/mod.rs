@@ -9,7 +9,7 @@ mod attempt;
 
 use std::ops::ControlFlow;
 
-use crate::arithmetic::{Arithmetic, Budget};
+use crate::arithmetic::{Arithmetic, Budget, Shortfall};
 use crate::body::Disc;
 use crate::impact::Impact;
 use crate::scalar::{Number, Scalar, Undecided};
@@ -123,12 +123,22 @@ pub fn run<S: Arithmetic>(
         let Status::Undecided(_) = outcome.status else {
             return Ok(outcome);
         };
-        let progress = attempt.progress(&outcome.time).fraction();
-        match S::next_precision(&options.budget, precision, progress) {
+        let short = outcome.shortfall(attempt.progress(&outcome.time), options.max_events);
+        match S::next_precision(&options.budget, precision, short) {
             Some(next) => precision = next,
             None => return Ok(outcome),
         }
     }
+}
+
+/// The certain bits of a disc's most certain number, unless one is exact.
+fn certain_bits<S: Arithmetic>(disc: &Disc<S>) -> Option<u32> {
+    let Disc {
+        position, velocity, ..
+    } = disc;
+    let numbers = [&position.x, &position.y, &velocity.x, &velocity.y];
+    let bits: Option<Vec<u32>> = numbers.map(S::certain_bits).into_iter().collect();
+    bits?.into_iter().max()
 }
 
 impl Progress {
@@ -139,6 +149,24 @@ impl Progress {
 }
 
 impl<S: Arithmetic> Outcome<S> {
+    /// How many bits are certain of every disc at the end, in that of its
+    /// numbers that is most certain; none where all are exact, or where the
+    /// arithmetic proves nothing.
+    pub fn certain_bits(&self) -> Option<u32> {
+        self.end.iter().filter_map(certain_bits).min()
+    }
+
+    /// How a run that failed came to its end, which is that of the time or of
+    /// the number of impacts.
+    fn shortfall(&self, progress: Progress, max_events: u64) -> Shortfall {
+        let impacts = self.impacts.len() as f64 / max_events as f64;
+        let bits = S::bits(self.precision).unwrap_or_default();
+        Shortfall {
+            progress: progress.fraction().max(impacts.min(1.0)),
+            left: self.certain_bits().unwrap_or(bits).min(bits),
+        }
+    }
+
     /// A run that otherwise went well lacks a decision.
     fn demand(&mut self, open: Undecided) {
         if !matches!(self.status, Status::Undecided(_)) {

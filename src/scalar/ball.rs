@@ -68,6 +68,16 @@ impl Ball {
         Self::rounded(self.mid, self.rad, bits)
     }
 
+    /// The ball of a midpoint and a radius as they are.
+    pub(crate) fn around(mid: Dyadic, rad: Radius) -> Self {
+        Self { mid, rad }
+    }
+
+    /// The midpoint.
+    pub(crate) fn into_middle(self) -> Dyadic {
+        self.mid
+    }
+
     /// A ball about an exact number.
     pub(crate) fn from_dyadic(number: Dyadic, bits: u32) -> Self {
         Self::rounded(number, Radius::ZERO, bits)
@@ -165,7 +175,12 @@ impl<'a> BallRef<'a> {
         self.mid.to_f64(Rounding::Nearest)
     }
 
-    fn to_ball(self) -> Ball {
+    /// The bound of the error.
+    pub(crate) fn radius(self) -> Radius {
+        self.rad
+    }
+
+    pub(crate) fn to_ball(self) -> Ball {
         Ball {
             mid: self.mid.clone(),
             rad: self.rad,

@@ -2,10 +2,15 @@
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::Arc;
 
 use num_rational::BigRational;
 
+use super::ball::Ball;
 use super::dyadic::Dyadic;
+use super::form::{self, Enclosed, Form};
+use super::radius::Radius;
+use super::step::Step;
 use super::value::{Value, precision};
 use super::{Interval, Number, Scalar, Undecided};
 
@@ -42,7 +47,9 @@ use super::{Interval, Number, Scalar, Undecided};
 pub struct Exact {
     value: Value,
     /// The bits of enclosures, or zero: those of what it meets.
-    bits: u32,
+    pub(super) bits: u32,
+    /// How the error hangs together with that of others, as far as known.
+    pub(super) form: Option<Arc<Form>>,
 }
 
 impl Exact {
@@ -51,11 +58,15 @@ impl Exact {
     /// enclosure.
     pub const RATIONAL_BITS: u64 = 4096;
 
+    /// From so many bits on a [`Step`] is taken as a whole, which loses far
+    /// fewer bits. It costs about twice as much at so few of them, so runs of
+    /// about a thousand impacts of ten discs are done sooner without.
+    pub const STEP_BITS: u32 = 1536;
+
     /// A fraction in lowest terms of any size; one longer than
     /// [`RATIONAL_BITS`](Self::RATIONAL_BITS) is enclosed.
     pub(crate) fn from_rational(ratio: BigRational, bits: u32) -> Self {
-        let value = Value::from_ratio(ratio, bits);
-        Self { value, bits }
+        Self::plain(Value::from_ratio(ratio, bits), bits)
     }
 
     /// Whether the number is known exactly, as a rational.
@@ -81,13 +92,56 @@ impl Exact {
     /// where that is known exactly. What is computed from it has no more bits.
     #[must_use]
     pub fn shortened(self, bits: u32) -> Self {
+        let value = match self.value {
+            Value::Ball(ball) => Value::Ball(ball.shortened(bits)),
+            exact => exact,
+        };
+        Self::plain(value, self.bits.min(bits))
+    }
+
+    /// A number of which no more is known than its value.
+    fn plain(value: Value, bits: u32) -> Self {
+        let form = None;
+        Self { value, bits, form }
+    }
+
+    /// The number about a midpoint that a form tells of.
+    pub(super) fn with_form(middle: Dyadic, form: Form, bits: u32) -> Self {
+        let (ball, form) = form.around(middle);
         Self {
-            value: match self.value {
-                Value::Ball(ball) => Value::Ball(ball.shortened(bits)),
-                exact => exact,
-            },
-            bits: self.bits.min(bits),
+            value: Value::Ball(ball),
+            bits,
+            form: Some(Arc::new(form)),
         }
+    }
+
+    /// Another number, which is known exactly: the midpoint.
+    pub(super) fn middle(&self) -> Self {
+        let middle = self.to_ball().into_middle();
+        Self::plain(Value::Ball(Ball::around(middle, Radius::ZERO)), self.bits)
+    }
+
+    /// What a basis is made of, unless the number is not one with a form.
+    fn enclosed(&mut self) -> Option<Enclosed<'_>> {
+        match (&self.value, &mut self.form) {
+            (Value::Ball(ball), Some(form)) => Some(Enclosed { ball, form }),
+            _ => None,
+        }
+    }
+
+    pub(super) fn to_ball(&self) -> Ball {
+        self.value.to_ball(self.bits)
+    }
+
+    /// The same number; what comes from it is computed with so many bits.
+    pub(super) fn with_bits(self, bits: u32) -> Self {
+        Self { bits, ..self }
+    }
+
+    /// The form of the error.
+    pub(super) fn error(&self) -> Arc<Form> {
+        let unknown = || Arc::new(Form::unknown(self.to_ball().view().radius()));
+        self.form.clone().unwrap_or_else(unknown)
     }
 
     /// The bits that a result of two operands carries.
@@ -98,8 +152,7 @@ impl Exact {
     /// Applies an operation to two values.
     fn combine(&self, other: &Self, operation: impl FnOnce(&Value, &Value, u32) -> Value) -> Self {
         let bits = self.common_bits(other);
-        let value = operation(&self.value, &other.value, bits);
-        Self { value, bits }
+        Self::plain(operation(&self.value, &other.value, bits), bits)
     }
 }
 
@@ -117,12 +170,11 @@ impl Scalar for Exact {
             Some(binary) => Value::from_dyadic(Dyadic::from_f64(binary), bits),
             None => Value::from_ratio(number.to_rational(), bits),
         };
-        Self { value, bits }
+        Self::plain(value, bits)
     }
 
     fn from_integer(integer: i32) -> Self {
-        let value = Value::Dyadic(Dyadic::from(integer));
-        Self { value, bits: 0 }
+        Self::plain(Value::Dyadic(Dyadic::from(integer)), 0)
     }
 
     fn sign(&self) -> Result<Ordering, Undecided> {
@@ -138,24 +190,32 @@ impl Scalar for Exact {
     }
 
     fn square(&self) -> Self {
-        Self {
-            value: self.value.square(self.bits),
-            bits: self.bits,
-        }
+        Self::plain(self.value.square(self.bits), self.bits)
     }
 
     /// Rational for the square of a rational. What an enclosure has below
     /// zero is cut off.
     fn sqrt(&self) -> Self {
-        Self {
-            value: self.value.sqrt(self.bits),
-            bits: self.bits,
-        }
+        Self::plain(self.value.sqrt(self.bits), self.bits)
     }
 
     /// By the plain formula: what cancels shows in the radius.
     fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
         a.combine(b, Value::mul) - c.combine(d, Value::mul)
+    }
+
+    /// In mean-value form, from [`STEP_BITS`](Self::STEP_BITS) on.
+    fn step<P: Step>(input: impl FnOnce() -> P::Input<Self>) -> Option<P::Output<Self>> {
+        form::step::<P>(&input())
+    }
+
+    /// With a symbol for each number, when rests have grown.
+    fn rebase<'a>(numbers: impl Iterator<Item = &'a mut Self>) {
+        form::rebase(numbers.filter_map(Self::enclosed).collect());
+    }
+
+    fn bare(&self) -> Self {
+        Self::plain(self.value.clone(), self.bits)
     }
 
     fn not_before(self, _: &Self) -> Self {
@@ -182,8 +242,7 @@ impl Add<&Self> for Exact {
 
     fn add(self, other: &Self) -> Self {
         let bits = self.common_bits(other);
-        let value = self.value.add(&other.value, bits);
-        Self { value, bits }
+        Self::plain(self.value.add(&other.value, bits), bits)
     }
 }
 
@@ -216,10 +275,7 @@ impl Neg for Exact {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            bits: self.bits,
-        }
+        Self::plain(-self.value, self.bits)
     }
 }
 

@@ -27,7 +27,7 @@ impl Interval {
         hi: f64::INFINITY,
     };
 
-    const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
+    pub(super) const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
 
     /// The numbers from `lo` to `hi`, which must not be below `lo`. An end
     /// that is not a number is no bound; one beyond all binary64 numbers
@@ -49,7 +49,7 @@ impl Interval {
 
     /// A single number, which must be finite.
     #[inline]
-    fn point(number: f64) -> Self {
+    pub(super) fn point(number: f64) -> Self {
         Self::new(number, number)
     }
 
@@ -87,6 +87,11 @@ impl Interval {
     #[inline]
     pub fn hi(&self) -> f64 {
         self.hi
+    }
+
+    /// The largest magnitude.
+    pub(super) fn magnitude(&self) -> f64 {
+        self.lo.abs().max(self.hi.abs())
     }
 
     #[inline]

@@ -14,12 +14,15 @@ mod ball;
 mod binary64;
 mod dyadic;
 mod exact;
+mod form;
+mod gradient;
 mod interval;
 mod isqrt;
 mod number;
 mod parse;
 mod radius;
 mod rounding;
+mod step;
 mod undecided;
 mod value;
 
@@ -35,6 +38,9 @@ pub use interval::Interval;
 pub(crate) use isqrt::exact_sqrt;
 pub use number::{Number, NumberError};
 pub(crate) use radius::Radius;
+#[cfg(feature = "json")]
+pub(crate) use rounding::nearest_binary64;
+pub use step::Step;
 pub use undecided::{Doubt, Undecided};
 
 /// A number that collisions are computed with.
@@ -103,6 +109,25 @@ pub trait Scalar:
     /// circle of radius r about the origin.
     fn power(x: &Self, y: &Self, r: &Self) -> Self {
         x.square() + y.square() - r.square()
+    }
+
+    /// The outcome of a step as a whole, where this type knows a better way
+    /// than one operation after another, and `input` is such that it works.
+    fn step<P: Step>(input: impl FnOnce() -> P::Input<Self>) -> Option<P::Output<Self>> {
+        let _ = input;
+        None
+    }
+
+    /// Prepares numbers for further steps, which are to involve no others.
+    /// What they enclose stays the same.
+    fn rebase<'a>(numbers: impl Iterator<Item = &'a mut Self>) {
+        let _ = numbers;
+    }
+
+    /// The number alone, for the record: without what only steps need.
+    #[must_use]
+    fn bare(&self) -> Self {
+        self.clone()
     }
 
     /// Lifts a computed time to `floor` where rounding alone put it before;

@@ -6,6 +6,7 @@
 use num_bigint::BigInt;
 
 use super::dyadic::Dyadic;
+use super::rounding::power_of_two;
 
 /// A bound of something that is not negative: `mantissa` × 2^`exponent`,
 /// with the topmost bit of the mantissa set unless the bound is zero.
@@ -124,6 +125,21 @@ impl Radius {
         let leading = number.leading();
         // The lowest of 64 bits stands for all that follow it.
         Self::up(leading.bits | u64::from(leading.more), leading.exponent)
+    }
+
+    /// At least the magnitude of a binary64 number.
+    pub(crate) fn magnitude(number: f64) -> Self {
+        if !number.is_finite() {
+            return Self::UNKNOWN;
+        }
+        let fraction = number.to_bits() & ((1 << 52) - 1);
+        let biased = (number.to_bits() >> 52 & 0x7ff) as i64;
+        Self::up(fraction | u64::from(biased > 0) << 52, biased.max(1) - 1075)
+    }
+
+    /// The bound in units of 2 to its [`top`](Self::top), exactly.
+    pub(crate) fn fraction(self) -> f64 {
+        f64::from(self.mantissa) * power_of_two(-32)
     }
 
     /// At most the magnitude of a number.

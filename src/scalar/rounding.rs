@@ -128,11 +128,17 @@ fn beyond_largest(rounding: Rounding) -> f64 {
 
 /// 2^`exponent`, which must be a binary64 number.
 #[inline]
-fn power_of_two(exponent: i64) -> f64 {
+pub(super) fn power_of_two(exponent: i64) -> f64 {
     match u64::try_from(exponent + 1022) {
         Ok(normal) => f64::from_bits((normal + 1) << 52),
         Err(_) => f64::from_bits(1 << (exponent - MIN_EXPONENT)),
     }
+}
+
+/// The binary64 nearest to a rational number, an infinity beyond the largest.
+#[cfg(feature = "json")]
+pub(crate) fn nearest_binary64(ratio: &BigRational) -> f64 {
+    ratio_to_f64(ratio, Rounding::Nearest)
 }
 
 /// The binary64 neighbour of a rational number.

@@ -103,6 +103,11 @@ impl Value {
         self.with_ball(bits, |a| other.with_ball(bits, |b| look(a, b)))
     }
 
+    /// The number as a ball.
+    pub(crate) fn to_ball(&self, bits: u32) -> Ball {
+        self.with_ball(bits, |ball| ball.to_ball())
+    }
+
     /// Whether the number is known without error.
     pub(crate) fn is_exact(&self) -> bool {
         match self {

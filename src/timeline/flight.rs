@@ -137,19 +137,21 @@ impl<S: Scalar> Flights<S> {
     /// proof.
     pub(super) fn order(
         &self,
-        one: &Foreseen<'_, S>,
-        other: &Foreseen<'_, S>,
+        one: (usize, &Meeting<S>),
+        other: (usize, &Meeting<S>),
         arbiter: &mut S::Arbiter,
     ) -> Result<Ordering, S::Doubt>
     where
         S: Timed,
     {
-        let moments = [one, other].map(|foreseen| foreseen.meeting.moment);
-        if moments[0].is_some() && moments[0] == moments[1] && !S::ROUNDS {
+        let [first, second] = [one.1, other.1];
+        if first.moment.is_some() && first.moment == second.moment && !S::ROUNDS {
             return Ok(Ordering::Equal);
         }
-        let order = one.meeting.time.compare(&other.meeting.time);
-        order.or_else(|doubt| arbiter.order(self, one, other, doubt))
+        first.time.compare(&second.time).or_else(|doubt| {
+            let [one, other] = [one, other].map(|(disc, meeting)| Foreseen::meeting(disc, meeting));
+            arbiter.order(self, &one, &other, doubt)
+        })
     }
 
     /// Where a disc is at a time, if nothing changes its motion.
@@ -223,6 +225,36 @@ impl<S: Scalar> Flights<S> {
             self.moment[disc] = moment;
         }
         self.turn[disc] = turn;
+    }
+
+    /// Puts a disc where its impact at a time leaves it; one that no impact
+    /// changes stays as it is.
+    pub(super) fn land(&mut self, disc: usize, after: Disc<S>, time: &S, turn: u64) {
+        if !after.is_movable() {
+            return;
+        }
+        let velocity = self.world.discs[disc].velocity.clone();
+        self.world.leave_contacts(disc, &velocity);
+        self.world.discs[disc] = after;
+        self.since[disc] = time.clone();
+        self.moment[disc] = turn;
+        self.turn[disc] = turn;
+    }
+
+    /// All numbers that impacts change.
+    pub(super) fn numbers(&mut self) -> impl Iterator<Item = &mut S> {
+        let discs = self.world.discs.iter_mut().flat_map(|disc| {
+            let Disc {
+                position, velocity, ..
+            } = disc;
+            [
+                &mut position.x,
+                &mut position.y,
+                &mut velocity.x,
+                &mut velocity.y,
+            ]
+        });
+        discs.chain(&mut self.since)
     }
 }
 

@@ -109,6 +109,13 @@ impl<S: Scalar> Forecast<S> {
         }
     }
 
+    /// What a disc meets, which must not be open.
+    pub(super) fn foreseen(&self, disc: usize) -> Foreseen {
+        let feature = self.feature().expect("it is not open what is met");
+        let moment = self.meeting().and_then(|meeting| meeting.moment);
+        Foreseen::new(disc, feature, moment)
+    }
+
     /// Whether the partner has changed since.
     #[inline]
     pub(super) fn is_stale(&self, flights: &Flights<S>) -> bool {
@@ -125,20 +132,21 @@ impl<S: Scalar> Forecast<S> {
 }
 
 impl<S: Timed> Forecast<S> {
-    /// Computes the meeting of a disc, if bounds have sufficed so far.
+    /// The meeting of a disc, computed if bounds have sufficed so far; what is
+    /// met must not be open.
     pub(super) fn compute(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
         arbiter: &mut S::Arbiter,
-    ) -> Result<(), S::Doubt> {
+    ) -> Result<&Meeting<S>, S::Doubt> {
         if let Outlook::Bounded(obstacle, foresight) = self.outlook {
             let met = meet(flights, disc, obstacle, arbiter)?;
             let meeting = met.expect("bounds prove that the two meet");
             self.bounds = meeting.time.hull();
             self.outlook = Outlook::Computed(meeting, foresight);
         }
-        Ok(())
+        Ok(self.meeting().expect("it is not open what is met"))
     }
 }
 
@@ -392,8 +400,7 @@ impl<'a, S: Timed> First<'a, S> {
         if best.feature == meeting.feature {
             return;
         }
-        let [one, other] = [&meeting, best].map(|meeting| Foreseen { disc, meeting });
-        match self.flights.order(&one, &other, arbiter) {
+        match self.flights.order((disc, &meeting), (disc, best), arbiter) {
             Ok(Less) => self.best = Some(meeting),
             Ok(Equal) if self.precedes(disc, &meeting, best) => self.best = Some(meeting),
             Ok(Equal | Greater) => {}

@@ -8,6 +8,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::Timeline;
 use super::arbiter::{Arbiter, Foreseen, Timed};
+use super::flight::Meeting;
 use super::forecast::{Effort, Forecast};
 use crate::body::{End, Pair};
 use crate::scalar::{Doubt, Scalar};
@@ -130,7 +131,7 @@ impl<S: Timed> Timeline<S> {
     fn choose(&mut self) -> Result<usize, S::Doubt> {
         let mut first = &self.candidates[0];
         for candidate in &self.candidates[1..] {
-            let times = [candidate, first].map(|one| &self.foreseen(one).meeting.time);
+            let times = [candidate, first].map(|one| &met_by(&self.forecasts, one).1.time);
             match times[0].compare(times[1]) {
                 Ok(Less) => first = candidate,
                 Ok(Equal | Greater) => {}
@@ -170,11 +171,11 @@ impl<S: Timed> Timeline<S> {
     /// The order of two candidates in time; none has to be if they commute.
     fn order(&mut self, one: usize, other: usize) -> Result<Ordering, S::Doubt> {
         let [one, other] = [one, other].map(|place| self.candidates[place].clone());
-        let [first, second] = [&one, &other].map(|one| foreseen(&self.forecasts, one));
-        let order = self.flights.order(&first, &second, &mut self.arbiter);
+        let [first, second] = [&one, &other].map(|one| met_by(&self.forecasts, one));
+        let order = self.flights.order(first, second, &mut self.arbiter);
         order.or_else(|doubt| {
             let commute = !one.names.0.shares_disc(&other.names.0);
-            let apart = first.meeting.time.clone() - &second.meeting.time;
+            let apart = first.1.time.clone() - &second.1.time;
             if commute && is_negligible(&apart, self.negligible) {
                 return Ok(Equal);
             }
@@ -195,21 +196,13 @@ impl<S: Timed> Timeline<S> {
 
     fn are_tied(&mut self, one: usize, other: usize) -> bool {
         let [one, other] = [one, other].map(|place| &self.candidates[place]);
-        let [one, other] = [one, other].map(|one| foreseen(&self.forecasts, one));
-        let [first, second] = [&one, &other].map(|met| met.meeting);
+        let [one, other] = [one, other].map(|one| met_by(&self.forecasts, one));
+        let [first, second] = [one.1, other.1];
         !first.graze
             && !second.graze
             && (first.moment.is_none() || first.moment != second.moment)
             && first.time.compare(&second.time).is_err()
-            && matches!(
-                self.flights.order(&one, &other, &mut self.arbiter),
-                Ok(Equal)
-            )
-    }
-
-    /// What a candidate among several comes to.
-    fn foreseen(&self, candidate: &Candidate) -> Foreseen<'_, S> {
-        foreseen(&self.forecasts, candidate)
+            && matches!(self.flights.order(one, other, &mut self.arbiter), Ok(Equal))
     }
 
     /// Whether a forecast comes true no later than a limit; none if it had to
@@ -225,24 +218,21 @@ impl<S: Timed> Timeline<S> {
         };
         let order = meeting.time.compare(limit).or_else(|doubt| {
             let doubt = doubt.asking(|| format!("whether d{disc} meets anything before the end"));
-            let met = Foreseen { disc, meeting };
+            let met = Foreseen::meeting(disc, meeting);
             self.arbiter.order_to(&self.flights, &met, limit, doubt)
         })?;
         Ok(Some(order != Greater))
     }
 }
 
-/// What a candidate among several comes to.
-fn foreseen<'a, S: Scalar>(
+/// The disc of a candidate among several, and what it meets.
+fn met_by<'a, S: Scalar>(
     forecasts: &'a [Option<Forecast<S>>],
     candidate: &Candidate,
-) -> Foreseen<'a, S> {
+) -> (usize, &'a Meeting<S>) {
     let next = forecasts[candidate.disc].as_ref();
     let meeting = next.and_then(Forecast::meeting);
-    Foreseen {
-        disc: candidate.disc,
-        meeting: meeting.expect("candidates are computed"),
-    }
+    (candidate.disc, meeting.expect("candidates are computed"))
 }
 
 fn is_negligible<S: Scalar>(apart: &S, limit: f64) -> bool {

@@ -18,18 +18,19 @@ mod forecast;
 mod front;
 mod nested;
 mod queue;
+mod step;
 mod sweep;
 mod ties;
 
 use crate::body::{Disc, Feature};
-use crate::impact::Impact;
+use crate::impact::{Contact, Impact};
 use crate::symmetry::Symmetry;
 use crate::world::World;
 use accumulation::Watch;
 pub use arbiter::Timed;
 use arbiter::{Arbiter, Foreseen};
-use flight::{Flights, Meeting};
-use forecast::{Effort, Forecast, Forecaster, Outlook, Partners};
+use flight::Flights;
+use forecast::{Effort, Forecast, Forecaster, Partners};
 use front::Candidate;
 use nested::Nested;
 use queue::Queue;
@@ -122,19 +123,17 @@ impl<S: Timed> Timeline<S> {
             return Ok(None);
         }
         while let Some(disc) = self.first(limit)? {
-            self.compute(disc)?;
             if !self.tied.is_empty() {
                 self.gather(disc)?;
                 continue;
             }
-            let next = self.forecasts[disc].take();
-            let Some(Outlook::Computed(meeting, _)) = next.map(|next| next.outlook) else {
+            let Some(next) = self.forecasts[disc].take() else {
                 break;
             };
-            if meeting.graze {
-                self.pass(disc, meeting.feature)?;
+            if next.is_graze() {
+                self.pass(disc, &next)?;
             } else {
-                let impact = self.resolve(disc, meeting)?;
+                let impact = self.resolve(disc, next)?;
                 self.observe(&impact);
                 return Ok(Some(impact));
             }
@@ -165,11 +164,13 @@ impl<S: Timed> Timeline<S> {
     }
 
     /// Notes a tangent pass, after which the disc goes on.
-    fn pass(&mut self, disc: usize, feature: Feature) -> Result<(), S::Doubt> {
+    fn pass(&mut self, disc: usize, forecast: &Forecast<S>) -> Result<(), S::Doubt> {
         self.grazes += 1;
-        self.note_graze(disc, feature);
-        if let Feature::Disc(other) = feature {
-            self.note_graze(other as usize, Feature::Disc(disc as u32));
+        if let Some(feature) = forecast.feature() {
+            self.note_graze(disc, feature);
+            if let Feature::Disc(other) = feature {
+                self.note_graze(other as usize, Feature::Disc(disc as u32));
+            }
         }
         self.forecast(disc, Effort::Bounds)
     }
@@ -185,35 +186,29 @@ impl<S: Timed> Timeline<S> {
     }
 
     /// Resolves an impact, and forecasts what comes of it.
-    fn resolve(&mut self, disc: usize, meeting: Meeting<S>) -> Result<Impact<S>, S::Doubt> {
-        let (disc, feature) = in_order(disc, meeting.feature);
-        let meeting = Meeting { feature, ..meeting };
+    fn resolve(&mut self, disc: usize, forecast: Forecast<S>) -> Result<Impact<S>, S::Doubt> {
         self.turn += 1;
+        let met = forecast.foreseen(disc);
+        let (first, feature) = (met.disc, met.feature);
         // A rounded time may have been lifted: it is none that has a name.
-        let named = meeting.moment.filter(|_| !S::ROUNDS);
+        let named = met.moment.filter(|_| !S::ROUNDS);
         let moment = named.unwrap_or(self.turn);
-        let met = Foreseen {
-            disc,
-            meeting: &meeting,
-        };
-        let changed = self.changed(disc, feature);
+        let changed = self.changed(first, feature);
         self.arbiter.note(&met, changed, moment);
-        let time = meeting.time.not_before(&self.now);
-        for changed in self.movable(disc, feature) {
-            self.flights.bring(changed, &time, moment, self.turn);
-        }
-        let place = self.flights.place(disc, feature, &time, meeting.overlap);
+        let (time, contact) = match self.leap(&met) {
+            Some(leapt) => leapt,
+            None => self.walk(disc, forecast, &met, moment)?,
+        };
         let world = &mut self.flights.world;
-        let contact = world.collide(disc, feature, place)?;
-        world.contacts.join(disc, feature);
-        self.nested.part(world, disc, feature);
-        let (pair, end) = world.names(disc, feature);
-        for changed in self.movable(disc, feature) {
-            self.grazed[changed].clear();
-            self.forecaster.update(&self.flights, changed);
+        world.contacts.join(first, feature);
+        self.nested.part(world, first, feature);
+        let (pair, end) = world.names(first, feature);
+        for disc in changed.into_iter().flatten() {
+            self.grazed[disc].clear();
+            self.forecaster.update(&self.flights, disc);
         }
-        for changed in self.movable(disc, feature) {
-            self.forecast(changed, Effort::Bounds)?;
+        for disc in changed.into_iter().flatten() {
+            self.forecast(disc, Effort::Bounds)?;
         }
         self.now = time.clone();
         Ok(Impact {
@@ -226,6 +221,38 @@ impl<S: Timed> Timeline<S> {
             step: None,
             contact: Some(Box::new(contact)),
         })
+    }
+
+    /// Takes the bodies of an impact that is forecast for a disc to its time,
+    /// and lets them collide.
+    fn walk(
+        &mut self,
+        disc: usize,
+        mut forecast: Forecast<S>,
+        met: &Foreseen,
+        moment: u64,
+    ) -> Result<(S, Contact<S>), S::Doubt> {
+        let meeting = forecast.compute(&self.flights, disc, &mut self.arbiter)?;
+        let (time, overlap) = (meeting.time.clone().not_before(&self.now), meeting.overlap);
+        let (first, feature) = (met.disc, met.feature);
+        for changed in self.movable(first, feature) {
+            self.flights.bring(changed, &time, moment, self.turn);
+        }
+        let place = self.flights.place(first, feature, &time, overlap);
+        let contact = self.flights.world.collide(first, feature, place)?;
+        Ok((time, contact))
+    }
+
+    /// The same in one step, where the arithmetic knows one that is better.
+    fn leap(&mut self, met: &Foreseen) -> Option<(S, Contact<S>)> {
+        if met.moment.is_some() {
+            return None;
+        }
+        let time = self.flights.leap(met.disc, met.feature, self.turn)?;
+        S::rebase(self.flights.numbers());
+        let place = self.flights.place(met.disc, met.feature, &time, false);
+        let contact = self.flights.world.collided(met.disc, met.feature, place);
+        Some((time.bare(), contact.map(S::bare)))
     }
 
     /// The discs that an impact changes.
@@ -272,15 +299,5 @@ impl<S: Timed> Timeline<S> {
         self.queue.set(disc, key);
         self.forecasts[disc] = next;
         Ok(())
-    }
-}
-
-/// Of two discs the lower first.
-fn in_order(disc: usize, feature: Feature) -> (usize, Feature) {
-    match feature {
-        Feature::Disc(other) if (other as usize) < disc => {
-            (other as usize, Feature::Disc(disc as u32))
-        }
-        _ => (disc, feature),
     }
 }

@@ -128,15 +128,8 @@ fn make_wall<S: Scalar>(
 }
 
 fn hull_of_wall<S: Scalar>(wall: &Wall<S>) -> Wall<Interval> {
-    let segment = &wall.segment;
     Wall {
-        segment: Segment {
-            from: segment.from.map(S::hull),
-            to: segment.to.map(S::hull),
-            along: segment.along.map(S::hull),
-            length: segment.length.hull(),
-            length_squared: segment.length_squared.hull(),
-        },
+        segment: wall.segment.map(S::hull),
         corners: wall.corners,
     }
 }

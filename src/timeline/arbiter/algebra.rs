@@ -40,7 +40,7 @@ impl Arbiter<Exact> for Algebra {
         }
     }
 
-    fn note(&mut self, met: &Foreseen<'_, Exact>, changed: [Option<usize>; 2], moment: u64) {
+    fn note(&mut self, met: &Foreseen, changed: [Option<usize>; 2], moment: u64) {
         let cause = self.cause(met);
         let leg = self.history.note(cause, changed);
         self.images.note(cause, leg);
@@ -52,8 +52,8 @@ impl Arbiter<Exact> for Algebra {
     fn order(
         &mut self,
         flights: &Flights<Exact>,
-        one: &Foreseen<'_, Exact>,
-        other: &Foreseen<'_, Exact>,
+        one: &Foreseen,
+        other: &Foreseen,
         doubt: Undecided,
     ) -> Result<Ordering, Undecided> {
         let causes = [self.cause(one), self.cause(other)];
@@ -62,7 +62,7 @@ impl Arbiter<Exact> for Algebra {
         }
         let are_sharp = [one, other]
             .iter()
-            .all(|met| is_sharp(flights, met.disc, met.meeting.feature));
+            .all(|met| is_sharp(flights, met.disc, met.feature));
         let replay = self.replay.as_mut().filter(|_| are_sharp);
         let Some(replay) = replay else {
             return Err(doubt);
@@ -76,13 +76,13 @@ impl Arbiter<Exact> for Algebra {
     fn order_to(
         &mut self,
         flights: &Flights<Exact>,
-        one: &Foreseen<'_, Exact>,
+        one: &Foreseen,
         time: &Exact,
         doubt: Undecided,
     ) -> Result<Ordering, Undecided> {
         let cause = self.cause(one);
         let limit = Expression::from_exact(time, Limits::default());
-        let is_sharp = is_sharp(flights, one.disc, one.meeting.feature);
+        let is_sharp = is_sharp(flights, one.disc, one.feature);
         let replay = self.replay.as_mut().filter(|_| is_sharp);
         let (Some(replay), Some(limit)) = (replay, limit) else {
             return Err(doubt);
@@ -154,11 +154,10 @@ impl Algebra {
 
     /// What collides, and whether it touches already where the later leg
     /// begins.
-    fn cause(&self, met: &Foreseen<'_, Exact>) -> Cause {
-        let (disc, feature) = (met.disc, met.meeting.feature);
-        let later = self.later(disc, feature);
-        let at_once = met.meeting.moment == Some(self.moments[later]);
-        self.history.cause(disc, feature, at_once)
+    fn cause(&self, met: &Foreseen) -> Cause {
+        let later = self.later(met.disc, met.feature);
+        let at_once = met.moment == Some(self.moments[later]);
+        self.history.cause(met.disc, met.feature, at_once)
     }
 
     /// The body of the two whose leg began later.

@@ -41,10 +41,36 @@ impl Timed for Exact {
     type Arbiter = Algebra;
 }
 
-/// A meeting that has been forecast for a disc.
-pub struct Foreseen<'a, S> {
+/// A meeting that has been forecast.
+#[derive(Clone, Copy, Debug)]
+pub struct Foreseen {
+    /// The disc, of two discs the one with the lower index.
     pub(super) disc: usize,
-    pub(super) meeting: &'a Meeting<S>,
+    /// What it meets.
+    pub(super) feature: Feature,
+    /// The name of the time, if they touch already.
+    pub(super) moment: Option<u64>,
+}
+
+impl Foreseen {
+    pub(super) fn new(disc: usize, feature: Feature, moment: Option<u64>) -> Self {
+        let (disc, feature) = match feature {
+            Feature::Disc(other) if (other as usize) < disc => {
+                (other as usize, Feature::Disc(disc as u32))
+            }
+            _ => (disc, feature),
+        };
+        Self {
+            disc,
+            feature,
+            moment,
+        }
+    }
+
+    /// What a disc meets.
+    pub(super) fn meeting<S>(disc: usize, meeting: &Meeting<S>) -> Self {
+        Self::new(disc, meeting.feature, meeting.moment)
+    }
 }
 
 /// Who is asked when a decision is in doubt: it decides, or hands back the
@@ -54,14 +80,14 @@ pub trait Arbiter<S: Scalar>: Clone + Debug + Send + Sync {
     fn new(world: &World<S>, symmetries: &[Symmetry]) -> Self;
 
     /// Takes note of an impact that is about to change these discs.
-    fn note(&mut self, met: &Foreseen<'_, S>, changed: [Option<usize>; 2], moment: u64);
+    fn note(&mut self, met: &Foreseen, changed: [Option<usize>; 2], moment: u64);
 
     /// Which of two meetings comes first.
     fn order(
         &mut self,
         flights: &Flights<S>,
-        one: &Foreseen<'_, S>,
-        other: &Foreseen<'_, S>,
+        one: &Foreseen,
+        other: &Foreseen,
         doubt: S::Doubt,
     ) -> Result<Ordering, S::Doubt>;
 
@@ -69,7 +95,7 @@ pub trait Arbiter<S: Scalar>: Clone + Debug + Send + Sync {
     fn order_to(
         &mut self,
         flights: &Flights<S>,
-        one: &Foreseen<'_, S>,
+        one: &Foreseen,
         time: &S,
         doubt: S::Doubt,
     ) -> Result<Ordering, S::Doubt>;
@@ -102,13 +128,13 @@ impl<S: Scalar> Arbiter<S> for Nobody {
         Self
     }
 
-    fn note(&mut self, _: &Foreseen<'_, S>, _: [Option<usize>; 2], _: u64) {}
+    fn note(&mut self, _: &Foreseen, _: [Option<usize>; 2], _: u64) {}
 
     fn order(
         &mut self,
         _: &Flights<S>,
-        _: &Foreseen<'_, S>,
-        _: &Foreseen<'_, S>,
+        _: &Foreseen,
+        _: &Foreseen,
         doubt: S::Doubt,
     ) -> Result<Ordering, S::Doubt> {
         Err(doubt)
@@ -117,7 +143,7 @@ impl<S: Scalar> Arbiter<S> for Nobody {
     fn order_to(
         &mut self,
         _: &Flights<S>,
-        _: &Foreseen<'_, S>,
+        _: &Foreseen,
         _: &S,
         doubt: S::Doubt,
     ) -> Result<Ordering, S::Doubt> {
