@@ -168,7 +168,7 @@ impl<S: Scalar> World<S> {
     }
 
     /// The line on which a disc touches a feature.
-    fn normal(&self, disc: usize, feature: Feature, place: &Place<S>) -> Normal<S> {
+    pub(crate) fn normal(&self, disc: usize, feature: Feature, place: &Place<S>) -> Normal<S> {
         let radius = &self.discs[disc].radius;
         let (target, reach) = match feature {
             Feature::Wall(wall) => {

@@ -7,6 +7,7 @@ use carom::arithmetic::{Arithmetic as _, Budget};
 use carom::frame::Passes;
 use carom::scalar::Exact;
 use carom::simulation::Algorithm;
+use carom::timeline::Simultaneous;
 use clap::{Args, ValueEnum};
 
 use super::error::Error;
@@ -111,6 +112,24 @@ impl AlgorithmName {
             Self::Multiple => Algorithm::Multiple(passes),
             Self::Synchronised => Algorithm::Synchronised(passes),
             Self::Timeline => Algorithm::Timeline,
+        }
+    }
+}
+
+/// A rule for simultaneous impacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Rule {
+    /// One pair at a time, in the order of names, until none approaches.
+    Sequential,
+    /// All at once, keeping energy and the symmetry of the scene.
+    Reflect,
+}
+
+impl Rule {
+    pub(super) fn simultaneous(self) -> Simultaneous {
+        match self {
+            Self::Sequential => Simultaneous::Sequential,
+            Self::Reflect => Simultaneous::Reflect,
         }
     }
 }

@@ -11,7 +11,7 @@ use carom::scene::Scene;
 use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
 
-use super::choice::{AlgorithmArguments, ArithmeticName, BudgetArguments};
+use super::choice::{AlgorithmArguments, ArithmeticName, BudgetArguments, Rule};
 use super::error::{self, Error};
 use super::exit::Exit;
 use super::interrupt;
@@ -65,6 +65,10 @@ pub(super) struct Arguments {
     digits: Option<u32>,
     #[command(flatten)]
     budget: BudgetArguments,
+    /// How the timeline resolves simultaneous impacts that share a disc: one
+    /// pair at a time, or all at once [default: sequential].
+    #[arg(long, value_name = "RULE", value_enum)]
+    simultaneous: Option<Rule>,
     /// Log the contact point, the normal and the velocities after.
     #[arg(long)]
     contact: bool,
@@ -80,6 +84,7 @@ struct Outputs {
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let algorithm = arguments.algorithm.algorithm()?;
     arguments.check_outputs()?;
+    arguments.check_rule(algorithm)?;
     let scene = Scene::read(&arguments.scene)?;
     match arguments.arithmetic {
         ArithmeticName::Binary64 => arguments.run::<f64>(&scene, algorithm),
@@ -124,6 +129,10 @@ impl Arguments {
             // digit: one more makes them close enough.
             digits: self.shown_digits() + 1,
             contacts: self.contact,
+            simultaneous: self
+                .simultaneous
+                .map(Rule::simultaneous)
+                .unwrap_or_default(),
         }
     }
 
@@ -137,6 +146,16 @@ impl Arguments {
         match &self.events {
             None if self.state.is_none() && !end_is_shown => Some(standard()),
             events => events.clone(),
+        }
+    }
+
+    /// Only the timeline has simultaneous impacts.
+    fn check_rule(&self, algorithm: Algorithm) -> Result<(), Error> {
+        match (self.simultaneous, algorithm) {
+            (None, _) | (_, Algorithm::Timeline) => Ok(()),
+            (Some(_), other) => Err(Error::Usage(format!(
+                "--simultaneous: not an option of the algorithm {other}"
+            ))),
         }
     }
 

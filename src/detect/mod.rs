@@ -10,12 +10,14 @@
 //! [`Scalar`].
 
 mod circle;
+mod gap;
 mod overlap;
 mod segment;
 
 use crate::scalar::Scalar;
 
 pub use circle::meet_circle;
+pub use gap::{gap_circle, gap_segment};
 pub use overlap::{Overlap, Separation, overlap_circle, overlap_segment};
 pub use segment::{End, Segment, meet_segment};
 

@@ -19,10 +19,6 @@ use crate::scene::Scene;
 use crate::simulation::Algorithm;
 use crate::world::World;
 
-/// The rule by which the timeline resolves simultaneous impacts that share a
-/// disc.
-const SEQUENTIAL: &str = "sequential";
-
 /// A run, to be written as an event log.
 #[derive(Debug)]
 pub struct Recorder<'a, S: Arithmetic> {
@@ -102,7 +98,8 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
                 Algorithm::Retroactive { substeps } => Some(substeps),
                 _ => None,
             },
-            simultaneous: (self.algorithm == Algorithm::Timeline).then(|| SEQUENTIAL.to_owned()),
+            simultaneous: (self.algorithm == Algorithm::Timeline)
+                .then(|| self.options.simultaneous.to_string()),
             overlaps: (overlaps > 0).then_some(overlaps),
         }
     }

@@ -140,6 +140,15 @@ impl<S: Scalar> Normal<S> {
         Self { direction, squared }
     }
 
+    /// The normal in the other direction.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        Self {
+            direction: -self.direction,
+            ..self
+        }
+    }
+
     /// The normal of bodies that overlap, or of a line.
     pub fn at_overlap(direction: Vec2<S>) -> Self {
         let squared = direction.norm_squared();

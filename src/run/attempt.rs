@@ -84,7 +84,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         let end = S::from_rational(self.end.clone(), self.precision);
         let start = world.discs.clone();
         let mut timeline = match Timeline::with_symmetries(world, &end, self.symmetries) {
-            Ok(timeline) => timeline,
+            Ok(timeline) => timeline.with_rule(self.options.simultaneous),
             Err(doubt) => return Ran::stuck(doubt, start),
         };
         let status = self.follow_impacts(&mut timeline, &end);

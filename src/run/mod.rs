@@ -17,6 +17,7 @@ use crate::scene::Scene;
 use crate::simulation::Algorithm;
 use crate::support::{Unsupported, check_number, check_support};
 use crate::symmetry::symmetries;
+use crate::timeline::Simultaneous;
 use attempt::Attempt;
 
 pub use accumulation::Accumulation;
@@ -34,6 +35,8 @@ pub struct Options {
     pub digits: u32,
     /// Whether the circumstances of each impact are kept.
     pub contacts: bool,
+    /// How the timeline resolves simultaneous impacts that share a disc.
+    pub simultaneous: Simultaneous,
 }
 
 impl Default for Options {
@@ -44,6 +47,7 @@ impl Default for Options {
             budget: Budget::default(),
             digits: 20,
             contacts: false,
+            simultaneous: Simultaneous::default(),
         }
     }
 }

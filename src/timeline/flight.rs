@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use super::arbiter::{Arbiter, Foreseen, Timed};
 use crate::body::{Disc, Feature};
-use crate::detect::Encounter;
+use crate::detect::{Encounter, gap_circle, gap_segment};
 use crate::impact::Place;
+use crate::respond::ClusterContact;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
@@ -205,6 +206,58 @@ impl<S: Scalar> Flights<S> {
         self.since[disc] = since;
         self.moment[disc] = turn;
         self.turn[disc] = turn;
+    }
+
+    /// Whether a disc and an obstacle are apart, touch or overlap at a time, and
+    /// the feature that is nearest.
+    pub(super) fn gap(
+        &self,
+        disc: usize,
+        obstacle: Obstacle,
+        time: &S,
+    ) -> Result<(Ordering, Feature), S::Doubt> {
+        let centre = self.position_at(disc, time);
+        let radius = &self.world.discs[disc].radius;
+        match obstacle {
+            Obstacle::Disc(other) => {
+                let offset = self.position_at(other, time).minus(&centre);
+                let reach = radius.clone() + &self.world.discs[other].radius;
+                Ok((gap_circle(&offset, &reach)?, Feature::Disc(other as u32)))
+            }
+            Obstacle::Wall(wall) => {
+                let segment = &self.world.walls[wall].segment;
+                let (gap, end) = gap_segment(&centre, radius, segment)?;
+                Ok((gap, self.world.feature(wall, end)))
+            }
+        }
+    }
+
+    /// The contact of a disc and a feature that have been brought to a time.
+    pub(super) fn cluster_contact(
+        &self,
+        disc: usize,
+        feature: Feature,
+        time: &S,
+    ) -> Result<ClusterContact<S>, S::Doubt> {
+        let place = self.place(disc, feature, time, false);
+        let normal = self.world.normal(disc, feature, &place);
+        let second = match feature {
+            Feature::Disc(other) => Some(other as usize),
+            Feature::Wall(_) | Feature::Corner(_) => None,
+        };
+        let is_behind = match feature {
+            Feature::Wall(wall) => {
+                let segment = &self.world.walls[wall as usize].segment;
+                let side = place.centre.minus(&segment.from).cross(&segment.along);
+                side.sign()?.is_lt()
+            }
+            Feature::Disc(_) | Feature::Corner(_) => false,
+        };
+        Ok(ClusterContact {
+            first: disc,
+            second,
+            normal: if is_behind { normal.reversed() } else { normal },
+        })
     }
 
     /// The turn at which a feature changed last: walls never do.

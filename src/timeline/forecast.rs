@@ -183,7 +183,11 @@ pub(super) enum Partners {
 
 impl Partners {
     #[inline]
-    fn of<S: Scalar>(self, world: &World<S>, disc: usize) -> impl Iterator<Item = Obstacle> {
+    pub(super) fn of<S: Scalar>(
+        self,
+        world: &World<S>,
+        disc: usize,
+    ) -> impl Iterator<Item = Obstacle> {
         world
             .obstacles(disc)
             .filter(move |&obstacle| match obstacle {
@@ -258,19 +262,27 @@ impl Forecaster {
         }
     }
 
-    /// The first meeting of a disc, but for those it `skips`, told by what is
+    /// Whether bounds prove that a disc and an obstacle are apart at a time.
+    pub(super) fn are_apart<S: Scalar>(&self, disc: usize, obstacle: Obstacle, time: &S) -> bool {
+        self.bounds.as_ref().is_some_and(|bounds| {
+            let gap = bounds.flights.gap(disc, obstacle, &time.hull());
+            matches!(gap, Ok((Greater, _)))
+        })
+    }
+
+    /// The first meeting of a disc with one of the candidates, but for those it
+    /// `skips`, told by what is
     /// met and whether that overlaps already.
     pub(super) fn forecast<S: Timed>(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
-        (partners, effort): (Partners, Effort),
+        (candidates, effort): (impl Iterator<Item = Obstacle>, Effort),
         arbiter: &mut S::Arbiter,
         skips: impl Fn(Feature, bool) -> bool,
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
         let horizon = self.horizon;
         let mut first = First::new(flights, horizon);
-        let candidates = partners.of(&flights.world, disc);
         let Some(bounds) = &self.bounds else {
             for obstacle in candidates {
                 first.offer(disc, obstacle, arbiter, &skips)?;

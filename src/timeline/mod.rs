@@ -8,11 +8,12 @@
 //! its discs have forecast, and impacts that share no disc and are closer
 //! than 2^-1000 of the duration. The latter commute.
 //!
-//! Simultaneous impacts follow the `sequential` rule (D17): one pair at a time,
-//! in the order of their names, until no touching pair approaches.
+//! Simultaneous impacts follow the `sequential` rule (D17), one pair at a time,
+//! or on request another: see [`Simultaneous`].
 
 mod accumulation;
 mod arbiter;
+mod cluster;
 mod flight;
 mod forecast;
 mod front;
@@ -21,6 +22,9 @@ mod queue;
 mod step;
 mod sweep;
 mod ties;
+
+use std::collections::VecDeque;
+use std::fmt;
 
 use crate::body::{Disc, Feature};
 use crate::impact::{Contact, Impact};
@@ -36,6 +40,27 @@ use nested::Nested;
 use queue::Queue;
 
 pub use accumulation::Accumulation;
+
+/// How simultaneous impacts that share a disc are resolved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Simultaneous {
+    /// One pair at a time, in the order of their names, until no touching pair
+    /// approaches (D17).
+    #[default]
+    Sequential,
+    /// All at once, in a way that keeps the energy and the symmetry of the
+    /// scene: see [`reflect_cluster`](crate::respond::reflect_cluster).
+    Reflect,
+}
+
+impl fmt::Display for Simultaneous {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sequential => "sequential",
+            Self::Reflect => "reflect",
+        })
+    }
+}
 
 /// The exact, event-driven run of a scene.
 #[derive(Clone, Debug)]
@@ -55,7 +80,13 @@ pub struct Timeline<S: Timed> {
     /// What each disc has grazed since it last changed, and the partner's
     /// turn then.
     grazed: Vec<Vec<(Feature, u64)>>,
+    /// What each disc has parted from when a cluster was resolved, and the
+    /// partner's turn then.
+    parted: Vec<Vec<(Feature, u64)>>,
     nested: Nested,
+    rule: Simultaneous,
+    /// Impacts that have been resolved and not told yet.
+    pending: VecDeque<Impact<S>>,
     now: S,
     turn: u64,
     grazes: u64,
@@ -72,6 +103,13 @@ impl<S: Timed> Timeline<S> {
     /// It cannot be decided what the discs meet first.
     pub fn new(world: World<S>, until: &S) -> Result<Self, S::Doubt> {
         Self::with_symmetries(world, until, &[])
+    }
+
+    /// The same run with another rule for simultaneous impacts that share a
+    /// disc.
+    #[must_use]
+    pub fn with_rule(self, rule: Simultaneous) -> Self {
+        Self { rule, ..self }
     }
 
     /// The run of a world that is known to have these symmetries.
@@ -99,6 +137,9 @@ impl<S: Timed> Timeline<S> {
             candidates: Vec::new(),
             tied: Vec::new(),
             grazed: vec![Vec::new(); count],
+            parted: vec![Vec::new(); count],
+            rule: Simultaneous::Sequential,
+            pending: VecDeque::new(),
             nested,
             now: S::from_integer(0),
             turn: 0,
@@ -122,13 +163,23 @@ impl<S: Timed> Timeline<S> {
         if self.accumulates(limit) {
             return Ok(None);
         }
-        while let Some(disc) = self.first(limit)? {
+        loop {
+            if let Some(impact) = self.pending.pop_front() {
+                self.observe(&impact);
+                return Ok(Some(impact));
+            }
+            let Some(disc) = self.first(limit)? else {
+                return Ok(None);
+            };
             if !self.tied.is_empty() {
                 self.gather(disc)?;
                 continue;
             }
+            if self.resolve_at_once(disc)? {
+                continue;
+            }
             let Some(next) = self.forecasts[disc].take() else {
-                break;
+                return Ok(None);
             };
             if next.is_graze() {
                 self.pass(disc, &next)?;
@@ -138,7 +189,6 @@ impl<S: Timed> Timeline<S> {
                 return Ok(Some(impact));
             }
         }
-        Ok(None)
     }
 
     /// How many tangent passes there were so far.
@@ -205,6 +255,7 @@ impl<S: Timed> Timeline<S> {
         let (pair, end) = world.names(first, feature);
         for disc in changed.into_iter().flatten() {
             self.grazed[disc].clear();
+            self.parted[disc].clear();
             self.forecaster.update(&self.flights, disc);
         }
         for disc in changed.into_iter().flatten() {
@@ -288,8 +339,16 @@ impl<S: Timed> Timeline<S> {
             grazed || overlap && nested.holds(&flights.world, disc, feature)
         };
         let next = if flights.world.discs[disc].is_movable() {
+            let parted = &self.parted[disc];
+            let world = &flights.world;
+            let candidates = partners.of(world, disc).filter(|&obstacle| {
+                let holds = |&(feature, turn): &(Feature, u64)| {
+                    flights.turn_of(feature) == turn && world.is_part_of(feature, obstacle)
+                };
+                parted.is_empty() || !parted.iter().any(holds)
+            });
             let arbiter = &mut self.arbiter;
-            let scope = (partners, effort);
+            let scope = (candidates, effort);
             self.forecaster
                 .forecast(flights, disc, scope, arbiter, skips)?
         } else {

@@ -29,6 +29,14 @@ pub enum Obstacle {
 }
 
 impl Obstacle {
+    /// The disc, or the interior of the wall.
+    pub(crate) fn whole(self) -> Feature {
+        match self {
+            Self::Disc(other) => Feature::Disc(other as u32),
+            Self::Wall(wall) => Feature::Wall(wall as u32),
+        }
+    }
+
     /// The question whether a disc and this do something.
     pub(crate) fn ask(self, disc: usize, verb: &str) -> String {
         match self {
@@ -81,6 +89,19 @@ impl<S: Scalar> World<S> {
                 Some(Feature::Corner(last)) => self.walls[wall].corners.contains(&last),
                 _ => false,
             }
+    }
+
+    /// Whether a disc that parts from a feature parts from all of an obstacle:
+    /// a wall is convex, so it has no other part to meet.
+    pub(crate) fn is_part_of(&self, feature: Feature, obstacle: Obstacle) -> bool {
+        match (feature, obstacle) {
+            (Feature::Disc(other), Obstacle::Disc(index)) => other as usize == index,
+            (Feature::Wall(other), Obstacle::Wall(index)) => other as usize == index,
+            (Feature::Corner(corner), Obstacle::Wall(index)) => {
+                self.walls[index].corners.contains(&corner)
+            }
+            _ => false,
+        }
     }
 
     /// Every disc with each disc after it and each wall (P1.2).

@@ -67,14 +67,7 @@ impl<S: Scalar> World<S> {
     #[inline]
     pub fn contact(&self, disc: usize, obstacle: Obstacle) -> Option<Feature> {
         let mut touched = self.contacts.of(disc).iter().copied();
-        touched.find(|feature| match (*feature, obstacle) {
-            (Feature::Disc(other), Obstacle::Disc(index)) => other as usize == index,
-            (Feature::Wall(other), Obstacle::Wall(index)) => other as usize == index,
-            (Feature::Corner(corner), Obstacle::Wall(index)) => {
-                self.walls[index].corners.contains(&corner)
-            }
-            _ => false,
-        })
+        touched.find(|feature| self.is_part_of(*feature, obstacle))
     }
 
     /// Whether a disc moves towards a feature that it touches, another disc

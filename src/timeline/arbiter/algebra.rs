@@ -49,6 +49,43 @@ impl Arbiter<Exact> for Algebra {
         }
     }
 
+    fn note_cluster(
+        &mut self,
+        trigger: &Foreseen,
+        contacts: &[(usize, Feature)],
+        changed: &[usize],
+        moment: u64,
+    ) {
+        let trigger = self.cause(trigger);
+        let cause = |&(disc, feature): &(usize, Feature)| self.history.cause(disc, feature, false);
+        let contacts = contacts.iter().map(cause).collect();
+        let cluster = self.history.note_cluster(trigger, contacts, changed);
+        self.images.note_cluster(cluster);
+        for &disc in changed {
+            self.moments[disc] = moment;
+        }
+    }
+
+    fn gap(
+        &mut self,
+        flights: &Flights<Exact>,
+        met: &Foreseen,
+        disc: usize,
+        obstacle: Obstacle,
+        doubt: Undecided,
+    ) -> Result<(Ordering, Feature), Undecided> {
+        let trigger = self.cause(met);
+        let feature = obstacle.whole();
+        let cause = self.history.cause(disc, feature, false);
+        let replay = self.replay.as_mut();
+        let Some(replay) = replay.filter(|_| is_sharp(flights, disc, feature)) else {
+            return Err(doubt);
+        };
+        let gap = replay.gap(&self.history, trigger, cause);
+        self.weigh(matches!(gap, Ok((Equal, _))));
+        gap.map_err(|open| doubt.after(open))
+    }
+
     fn order(
         &mut self,
         flights: &Flights<Exact>,
@@ -100,10 +137,7 @@ impl Arbiter<Exact> for Algebra {
         obstacle: Obstacle,
         doubt: Undecided,
     ) -> Result<Option<Meeting<Exact>>, Undecided> {
-        let feature = match obstacle {
-            Obstacle::Disc(other) => Feature::Disc(other as u32),
-            Obstacle::Wall(wall) => Feature::Wall(wall as u32),
-        };
+        let feature = obstacle.whole();
         let replay = self.replay.as_mut();
         let Some(replay) = replay.filter(|_| is_sharp(flights, disc, feature)) else {
             return Err(doubt);

@@ -43,7 +43,7 @@ pub(super) enum Partner {
 }
 
 /// An impact, by what collides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Cause {
     pub(super) leg: Leg,
     pub(super) partner: Partner,
@@ -74,6 +74,19 @@ pub(super) enum Origin {
     Start(usize),
     /// With an impact, of which the disc is the first body or the second one.
     Impact(Cause, Side),
+    /// With impacts that were resolved at once, by their place among such.
+    Cluster(usize),
+}
+
+/// Impacts that are resolved at once.
+#[derive(Clone, Debug)]
+pub(super) struct Cluster {
+    /// The one that tells the time.
+    pub(super) trigger: Cause,
+    /// All bodies that touch.
+    pub(super) contacts: Vec<Cause>,
+    /// The leg of each disc that changes, before and after.
+    pub(super) legs: Vec<(Leg, Leg)>,
 }
 
 /// The first or the second body of an impact.
@@ -88,6 +101,7 @@ pub(super) enum Side {
 pub(super) struct History {
     current: Vec<Leg>,
     impacts: Vec<Record>,
+    clusters: Vec<Cluster>,
 }
 
 /// A [`Cause`] in eight bytes: a leg with [`AT_ONCE`], and a partner with its
@@ -99,8 +113,19 @@ const AT_ONCE: u32 = 1 << 31;
 const KIND: u32 = 3 << 30;
 const WALL: u32 = 1 << 30;
 const CORNER: u32 = 2 << 30;
+const CLUSTER: u32 = 3 << 30;
 
 impl Record {
+    /// What stands for two of the discs of a cluster.
+    fn cluster(place: usize) -> Self {
+        Self(0, place as u32 | CLUSTER)
+    }
+
+    /// The place of a cluster, if this stands for one.
+    fn as_cluster(self) -> Option<usize> {
+        (self.1 & KIND == CLUSTER).then_some((self.1 & !KIND) as usize)
+    }
+
     fn new(cause: Cause) -> Self {
         let Cause {
             leg,
@@ -136,6 +161,7 @@ impl History {
         Self {
             current: first.collect(),
             impacts: Vec::new(),
+            clusters: Vec::new(),
         }
     }
 
@@ -175,14 +201,47 @@ impl History {
         first
     }
 
+    /// Notes impacts that are resolved at once, after which `changed` discs are
+    /// on new legs.
+    pub(super) fn note_cluster(
+        &mut self,
+        trigger: Cause,
+        contacts: Vec<Cause>,
+        changed: &[usize],
+    ) -> &Cluster {
+        let mut legs = Vec::new();
+        for (disc, leg) in changed.iter().zip(self.legs() as u32..) {
+            legs.push((self.current[*disc], Leg(leg)));
+            self.current[*disc] = Leg(leg);
+        }
+        let record = Record::cluster(self.clusters.len());
+        let records = changed.len().div_ceil(2);
+        self.impacts.extend(std::iter::repeat_n(record, records));
+        let place = self.clusters.len();
+        self.clusters.push(Cluster {
+            trigger,
+            contacts,
+            legs,
+        });
+        &self.clusters[place]
+    }
+
+    /// Impacts that were resolved at once.
+    pub(super) fn cluster(&self, place: usize) -> &Cluster {
+        &self.clusters[place]
+    }
+
     /// How a leg begins.
     pub(super) fn origin(&self, leg: Leg) -> Origin {
         let discs = self.current.len();
         match leg.index().checked_sub(discs) {
             None => Origin::Start(leg.index()),
             Some(place) => {
+                let record = self.impacts[place / 2];
                 let side = [Side::First, Side::Second][place % 2];
-                Origin::Impact(self.impacts[place / 2].cause(), side)
+                record
+                    .as_cluster()
+                    .map_or_else(|| Origin::Impact(record.cause(), side), Origin::Cluster)
             }
         }
     }

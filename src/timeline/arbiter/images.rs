@@ -9,7 +9,7 @@
 
 use std::collections::HashMap;
 
-use super::history::{Cause, Leg, Partner};
+use super::history::{Cause, Cluster, Leg, Partner};
 use crate::symmetry::Symmetry;
 
 /// What each leg is mapped onto.
@@ -22,6 +22,9 @@ pub(super) struct Images {
     legs: Vec<Vec<Option<Leg>>>,
     /// The legs that an impact in order begins: those of its two bodies.
     impacts: HashMap<Cause, [Leg; 2]>,
+    /// For impacts that were resolved at once, by all their contacts in order,
+    /// the legs before and after.
+    clusters: HashMap<Vec<Cause>, Vec<(Leg, Leg)>>,
 }
 
 impl Images {
@@ -36,18 +39,20 @@ impl Images {
             inverses: inverses(&symmetries),
             symmetries,
             impacts: HashMap::new(),
+            clusters: HashMap::new(),
         }
     }
 
     /// Notes an impact, of whose first body `leg` is the new leg.
     pub(super) fn note(&mut self, cause: Cause, leg: Leg) {
+        if self.symmetries.is_empty() {
+            return;
+        }
         let legs = [leg, leg.beside()];
         let own = Ordered::from(cause);
         let own_legs = own.arranged(legs);
         self.impacts.insert(own.cause, own_legs);
-        for images in &mut self.legs {
-            images.resize(legs[1].index() + 1, None);
-        }
+        self.make_room(legs[1]);
         for place in 0..self.symmetries.len() {
             let Some(image) = self.image(place, own.cause).map(Ordered::from) else {
                 continue;
@@ -58,8 +63,48 @@ impl Images {
         }
     }
 
-    /// Maps the two legs of an impact onto those of another, and back.
-    fn map(&mut self, place: usize, legs: [Leg; 2], images: [Leg; 2]) {
+    /// Notes impacts that are resolved at once.
+    pub(super) fn note_cluster(&mut self, cluster: &Cluster) {
+        if self.symmetries.is_empty() {
+            return;
+        }
+        let Some(&(_, last)) = cluster.legs.last() else {
+            return;
+        };
+        self.make_room(last.beside());
+        let contacts = ordered(cluster.contacts.iter().copied());
+        self.clusters.insert(contacts.clone(), cluster.legs.clone());
+        for place in 0..self.symmetries.len() {
+            let images = contacts.iter().map(|&contact| self.image(place, contact));
+            let images: Option<Vec<_>> = images.collect();
+            let onto = images.and_then(|images| self.clusters.get(&ordered(images)));
+            if let Some(onto) = onto.cloned() {
+                self.map_cluster(place, &cluster.legs, &onto);
+            }
+        }
+    }
+
+    /// Maps the legs after impacts that were resolved at once onto those after
+    /// others, each to that of the disc that its own is mapped onto.
+    fn map_cluster(&mut self, place: usize, legs: &[(Leg, Leg)], onto: &[(Leg, Leg)]) {
+        for &(before, after) in legs {
+            let image = self.legs[place][before.index()];
+            let image = image.and_then(|image| onto.iter().find(|(before, _)| *before == image));
+            if let Some(&(_, image)) = image {
+                self.map(place, [after], [image]);
+            }
+        }
+    }
+
+    /// Makes room for the images of all legs up to one.
+    fn make_room(&mut self, last: Leg) {
+        for images in &mut self.legs {
+            images.resize(last.index() + 1, None);
+        }
+    }
+
+    /// Maps legs onto others, and back.
+    fn map<const N: usize>(&mut self, place: usize, legs: [Leg; N], images: [Leg; N]) {
         for (leg, image) in legs.into_iter().zip(images) {
             self.legs[place][leg.index()] = Some(image);
             if let Some(inverse) = self.inverses[place] {
@@ -92,6 +137,14 @@ impl Images {
             at_once: cause.at_once,
         })
     }
+}
+
+/// Impacts that are resolved at once, whatever order they are told in.
+fn ordered(contacts: impl IntoIterator<Item = Cause>) -> Vec<Cause> {
+    let contacts = contacts.into_iter();
+    let mut contacts: Vec<_> = contacts.map(|cause| Ordered::from(cause).cause).collect();
+    contacts.sort_unstable();
+    contacts
 }
 
 /// An impact with the lower leg first.

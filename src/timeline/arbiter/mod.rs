@@ -82,6 +82,27 @@ pub trait Arbiter<S: Scalar>: Clone + Debug + Send + Sync {
     /// Takes note of an impact that is about to change these discs.
     fn note(&mut self, met: &Foreseen, changed: [Option<usize>; 2], moment: u64);
 
+    /// Takes note of impacts that are about to be resolved at once, at the time
+    /// of one of them, and of the discs that this changes.
+    fn note_cluster(
+        &mut self,
+        trigger: &Foreseen,
+        contacts: &[(usize, Feature)],
+        changed: &[usize],
+        moment: u64,
+    );
+
+    /// Whether a disc and an obstacle are apart, touch or overlap at the time
+    /// of a meeting, and the feature that is nearest.
+    fn gap(
+        &mut self,
+        flights: &Flights<S>,
+        met: &Foreseen,
+        disc: usize,
+        obstacle: Obstacle,
+        doubt: S::Doubt,
+    ) -> Result<(Ordering, Feature), S::Doubt>;
+
     /// Which of two meetings comes first.
     fn order(
         &mut self,
@@ -129,6 +150,19 @@ impl<S: Scalar> Arbiter<S> for Nobody {
     }
 
     fn note(&mut self, _: &Foreseen, _: [Option<usize>; 2], _: u64) {}
+
+    fn note_cluster(&mut self, _: &Foreseen, _: &[(usize, Feature)], _: &[usize], _: u64) {}
+
+    fn gap(
+        &mut self,
+        _: &Flights<S>,
+        _: &Foreseen,
+        _: usize,
+        _: Obstacle,
+        doubt: S::Doubt,
+    ) -> Result<(Ordering, Feature), S::Doubt> {
+        Err(doubt)
+    }
 
     fn order(
         &mut self,

@@ -1,10 +1,12 @@
 //! Legs computed again in expressions, each when it is asked for.
 
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
-use super::history::{Cause, History, Leg, Origin, Partner, Side};
+use super::history::{Cause, Cluster, History, Leg, Origin, Partner, Side};
 use crate::algebra::{Expression, Limits};
 use crate::body::{Disc, Feature};
+use crate::respond::{Reflection, reflect_cluster};
 use crate::scalar::{Exact, Scalar, Undecided};
 use crate::timeline::flight::{Flights, Meeting};
 use crate::world::{Obstacle, World};
@@ -118,6 +120,11 @@ impl Replay {
                     count += 1;
                     pending.pop();
                 }
+                Some(Missing::Cluster(place)) => {
+                    self.cluster(history, history.cluster(place))?;
+                    count += 1;
+                    pending.pop();
+                }
                 None => {
                     pending.pop();
                 }
@@ -134,17 +141,72 @@ impl Replay {
         if self.legs.contains_key(&leg) {
             return None;
         }
-        // The first legs are known.
-        let Origin::Impact(cause, _) = history.origin(leg) else {
-            return None;
-        };
         let unknown = |leg: &Leg| !self.legs.contains_key(leg);
-        let legs: Vec<_> = cause.legs().filter(unknown).collect();
+        let (legs, itself): (Vec<_>, _) = match history.origin(leg) {
+            // The first legs are known.
+            Origin::Start(_) => return None,
+            Origin::Impact(cause, _) => (
+                cause.legs().filter(unknown).collect(),
+                Missing::Impact(cause),
+            ),
+            Origin::Cluster(place) => {
+                let contacts = history.cluster(place).contacts.iter();
+                let legs = contacts.flat_map(|contact| contact.legs());
+                (legs.filter(unknown).collect(), Missing::Cluster(place))
+            }
+        };
         Some(if legs.is_empty() {
-            Missing::Impact(cause)
+            itself
         } else {
             Missing::Causes(legs)
         })
+    }
+
+    /// Computes the legs that impacts begin which are resolved at once.
+    fn cluster(&mut self, history: &History, cluster: &Cluster) -> Result<(), Undecided> {
+        let time = self.time(history, cluster.trigger)?;
+        for &contact in &cluster.contacts {
+            self.set(contact);
+        }
+        for &contact in &cluster.contacts {
+            self.bring(contact, &time);
+        }
+        let contacts = cluster.contacts.iter().map(|contact| {
+            let disc = self.legs[&contact.leg].index;
+            let feature = self.feature(contact.partner);
+            self.stage.cluster_contact(disc, feature, &time)
+        });
+        let contacts = contacts.collect::<Result<Vec<_>, _>>()?;
+        let World {
+            discs, restitution, ..
+        } = &mut self.stage.world;
+        match reflect_cluster(discs, &contacts, restitution)? {
+            Reflection::Parted(_) => {}
+            Reflection::Jammed => return Err(open("discs without any play")),
+        }
+        for &(before, after) in &cluster.legs {
+            self.keep(after, self.legs[&before].index, &time);
+        }
+        Ok(())
+    }
+
+    /// Whether two bodies are apart, touch or overlap at the time of an
+    /// impact, and the feature of the second one that is nearest.
+    pub(super) fn gap(
+        &mut self,
+        history: &History,
+        trigger: Cause,
+        cause: Cause,
+    ) -> Result<(Ordering, Feature), Undecided> {
+        let time = self.time(history, trigger)?;
+        self.compute(history, cause)?;
+        self.set(cause);
+        let disc = self.legs[&cause.leg].index;
+        let obstacle = match cause.partner {
+            Partner::Disc(leg) => Obstacle::Disc(self.legs[&leg].index),
+            Partner::Wall(wall) | Partner::Corner(wall) => Obstacle::Wall(wall as usize),
+        };
+        self.stage.gap(disc, obstacle, &time)
     }
 
     /// Computes the legs that an impact begins.
@@ -208,6 +270,7 @@ impl Replay {
 enum Missing {
     Causes(Vec<Leg>),
     Impact(Cause),
+    Cluster(usize),
 }
 
 fn open(question: &str) -> Undecided {
