@@ -26,6 +26,18 @@ struct Cluster<S> {
     discs: Vec<usize>,
 }
 
+impl<S: Timed> Cluster<S> {
+    /// Whether it has a contact of a disc with an obstacle.
+    fn holds(&self, timeline: &Timeline<S>, disc: usize, obstacle: Obstacle) -> bool {
+        let world = &timeline.flights.world;
+        self.contacts.iter().any(|&(first, feature)| {
+            let is_it = first == disc && world.is_part_of(feature, obstacle);
+            let disc = Obstacle::Disc(disc);
+            is_it || obstacle == Obstacle::Disc(first) && world.is_part_of(feature, disc)
+        })
+    }
+}
+
 impl<S: Timed> Timeline<S> {
     /// Resolves the impact that a disc is forecast to have, at once with all
     /// that touches then, if the rule asks for that and anything else does.
@@ -77,16 +89,16 @@ impl<S: Timed> Timeline<S> {
         let world = &self.flights.world;
         let others = (0..world.discs.len()).filter(|&other| other != disc);
         let walls = (0..world.walls.len()).map(Obstacle::Wall);
-        let obstacles: Vec<_> = others.map(Obstacle::Disc).chain(walls).collect();
-        for obstacle in obstacles {
+        let others = others.map(Obstacle::Disc).chain(walls);
+        let others: Vec<_> = others
+            .filter(|&other| !cluster.holds(self, disc, other))
+            .collect();
+        for obstacle in others {
             let Some(feature) = self.touched(cluster, disc, obstacle)? else {
                 continue;
             };
             let met = Foreseen::new(disc, feature, None);
-            let contact = (met.disc, met.feature);
-            if !cluster.contacts.contains(&contact) {
-                cluster.contacts.push(contact);
-            }
+            cluster.contacts.push((met.disc, met.feature));
             for body in self.movable(disc, feature) {
                 if !cluster.discs.contains(&body) {
                     cluster.discs.push(body);
