@@ -24,6 +24,21 @@ pub struct Header {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "cli", schemars(with = "u32"))]
     pub bits: Option<u32>,
+    /// How often exact arithmetic started again with more bits.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "cli", schemars(with = "u32"))]
+    pub restarts: Option<u32>,
+    /// How many of the bits were lost up to the end, by the disc that is known
+    /// least.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "cli", schemars(with = "u32"))]
+    pub bits_lost: Option<u32>,
+    /// How many leading bits the closest two different times had in common of
+    /// which it had to be found out which is the first, at most: how well
+    /// conditioned the scene is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "cli", schemars(with = "u32"))]
+    pub closest_bits: Option<u32>,
     /// The most passes a frame, of an algorithm that has them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "cli", schemars(with = "u32"))]

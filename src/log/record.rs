@@ -85,13 +85,22 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
             _ => None,
         };
         let overlaps = self.outcome.overlaps;
+        let bits = S::bits(self.outcome.precision);
         Header {
             schema: EventsFormat::Events1,
             scene: self.scene.id().to_owned(),
             algorithm: self.algorithm.to_string(),
             arithmetic: S::NAME.to_owned(),
             carom: env!("CARGO_PKG_VERSION").to_owned(),
-            bits: S::bits(self.outcome.precision),
+            bits,
+            restarts: bits.map(|_| self.outcome.restarts),
+            bits_lost: bits.map(|bits| {
+                bits - self
+                    .outcome
+                    .certain_bits()
+                    .map_or(bits, |left| left.min(bits))
+            }),
+            closest_bits: bits.and(self.outcome.closest_call).map(common_bits),
             passes: passes.and_then(count),
             frame_budget: passes.and_then(budget),
             substeps: match self.algorithm {
@@ -179,6 +188,12 @@ impl From<&Status> for Ending {
             Status::Interrupted => Self::Interrupted,
         }
     }
+}
+
+/// The leading bits that two numbers have in common which differ by so much,
+/// relative to the larger one.
+fn common_bits(difference: f64) -> u32 {
+    -difference.log2().min(0.0) as u32
 }
 
 fn nearest_to(value: BigRational) -> f64 {

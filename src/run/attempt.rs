@@ -65,6 +65,8 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
             status: ran.status,
             impacts,
             grazes: ran.grazes,
+            closest_call: ran.closest_call,
+            restarts: 0,
             overlaps: 0,
             start,
             end: ran.discs,
@@ -95,6 +97,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         Ran {
             discs: timeline.discs_at(&time),
             grazes: timeline.grazes(),
+            closest_call: timeline.closest_call(),
             status,
             time,
         }
@@ -145,6 +148,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         Ran {
             status,
             grazes: 0,
+            closest_call: None,
             discs: simulation.discs(),
             time: self.clock.start_of(done, self.precision),
         }
@@ -194,6 +198,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
 struct Ran<S> {
     status: Status,
     grazes: u64,
+    closest_call: Option<f64>,
     discs: Vec<Disc<S>>,
     time: S,
 }
@@ -204,6 +209,7 @@ impl<S: Scalar> Ran<S> {
         Self {
             status: Status::Undecided(doubt.into_undecided()),
             grazes: 0,
+            closest_call: None,
             discs,
             time: S::from_integer(0),
         }

@@ -87,6 +87,11 @@ pub struct Outcome<S: Scalar> {
     pub impacts: Vec<Impact<S>>,
     /// How many tangent passes there were.
     pub grazes: u64,
+    /// The least relative difference of two different times of which the
+    /// timeline had to find out which is the first, or less; if there were any.
+    pub closest_call: Option<f64>,
+    /// How many attempts failed before, for want of precision.
+    pub restarts: u32,
     /// How many pairs overlapped at the start.
     pub overlaps: u64,
     /// The discs at the start.
@@ -121,9 +126,14 @@ pub fn run<S: Arithmetic>(
         _ => Vec::new(),
     };
     let mut precision = S::first_precision(&options.budget);
+    let mut restarts = 0;
     loop {
         let mut attempt = Attempt::<S>::new(scene, options, &symmetries, precision, &mut *watch);
         let outcome = attempt.run(scene, algorithm);
+        let outcome = Outcome {
+            restarts,
+            ..outcome
+        };
         let Status::Undecided(_) = outcome.status else {
             return Ok(outcome);
         };
@@ -132,17 +142,18 @@ pub fn run<S: Arithmetic>(
             Some(next) => precision = next,
             None => return Ok(outcome),
         }
+        restarts += 1;
     }
 }
 
-/// The certain bits of a disc's most certain number, unless one is exact.
+/// The certain bits of a disc's most certain number, of those that are not
+/// exact.
 fn certain_bits<S: Arithmetic>(disc: &Disc<S>) -> Option<u32> {
     let Disc {
         position, velocity, ..
     } = disc;
     let numbers = [&position.x, &position.y, &velocity.x, &velocity.y];
-    let bits: Option<Vec<u32>> = numbers.map(S::certain_bits).into_iter().collect();
-    bits?.into_iter().max()
+    numbers.into_iter().filter_map(S::certain_bits).max()
 }
 
 impl Progress {

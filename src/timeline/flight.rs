@@ -35,6 +35,14 @@ pub struct Meeting<S> {
     pub(super) moment: Option<u64>,
 }
 
+impl<S: Scalar> Meeting<S> {
+    /// How far apart two times are, relative to the later one.
+    pub(super) fn apart(&self, other: &Self) -> f64 {
+        let apart = (self.time.clone() - &other.time).to_f64().abs();
+        apart / self.time.to_f64().max(other.time.to_f64())
+    }
+}
+
 impl<S: Scalar> Flights<S> {
     pub(super) fn new(world: World<S>) -> Self {
         let count = world.discs.len();

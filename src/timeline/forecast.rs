@@ -207,6 +207,8 @@ pub(super) struct Forecaster {
     survivors: Vec<Survivor>,
     /// No meeting after this is of interest.
     horizon: f64,
+    /// The least relative difference of two times that had to be compared.
+    closest: f64,
 }
 
 /// The bodies in bounds, and what discs are too far apart.
@@ -252,7 +254,14 @@ impl Forecaster {
             bounds: S::FILTERED.then(|| Bounds::new(flights.hull(), horizon)),
             survivors: Vec::new(),
             horizon,
+            closest: f64::INFINITY,
         }
+    }
+
+    /// The least relative difference of two times that had to be compared, or
+    /// infinity.
+    pub(super) fn closest(&self) -> f64 {
+        self.closest
     }
 
     /// Takes note of a disc that has changed.
@@ -308,6 +317,7 @@ impl Forecaster {
         for survivor in &self.survivors {
             first.offer(disc, survivor.obstacle, arbiter, &skips)?;
         }
+        self.closest = self.closest.min(first.closest);
         Ok(first.finish(disc))
     }
 }
@@ -372,6 +382,8 @@ struct First<'a, S: Scalar> {
     /// No meeting after this is of interest.
     horizon: f64,
     best: Option<Meeting<S>>,
+    /// The least relative difference of two times that had to be compared.
+    closest: f64,
     /// Meetings of which it is open whether they are before the best one.
     rivals: Vec<(Meeting<S>, S::Doubt)>,
 }
@@ -382,6 +394,7 @@ impl<'a, S: Timed> First<'a, S> {
             flights,
             horizon,
             best: None,
+            closest: f64::INFINITY,
             rivals: Vec::new(),
         }
     }
@@ -412,7 +425,11 @@ impl<'a, S: Timed> First<'a, S> {
         if best.feature == meeting.feature {
             return;
         }
-        match self.flights.order((disc, &meeting), (disc, best), arbiter) {
+        let order = self.flights.order((disc, &meeting), (disc, best), arbiter);
+        if !S::ROUNDS && matches!(order, Ok(Less | Greater)) {
+            self.closest = self.closest.min(meeting.apart(best));
+        }
+        match order {
             Ok(Less) => self.best = Some(meeting),
             Ok(Equal) if self.precedes(disc, &meeting, best) => self.best = Some(meeting),
             Ok(Equal | Greater) => {}

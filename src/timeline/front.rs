@@ -35,10 +35,24 @@ impl<S: Timed> Timeline<S> {
             }
             let first = self.choose()?;
             if let Some(is_due) = self.is_due(first, limit)? {
+                self.note_margin(first);
                 return Ok(is_due.then_some(first));
             }
         }
         Ok(None)
+    }
+
+    /// Notes how far the next forecast is from the first one, where bounds tell
+    /// them apart.
+    fn note_margin(&mut self, first: usize) {
+        if S::ROUNDS || self.candidates.len() > 1 {
+            return;
+        }
+        let end = self.forecasts[first].as_ref().map(|next| next.bounds.hi());
+        let margin = end.map(|end| (self.queue.least_but(first) - end) / end);
+        if let Some(margin) = margin.filter(|margin| *margin > 0.0) {
+            self.closest = self.closest.min(margin);
+        }
     }
 
     /// Collects the discs whose forecasts may come true no later than that
@@ -131,10 +145,15 @@ impl<S: Timed> Timeline<S> {
     fn choose(&mut self) -> Result<usize, S::Doubt> {
         let mut first = &self.candidates[0];
         for candidate in &self.candidates[1..] {
-            let times = [candidate, first].map(|one| &met_by(&self.forecasts, one).1.time);
-            match times[0].compare(times[1]) {
-                Ok(Less) => first = candidate,
-                Ok(Equal | Greater) => {}
+            let [met, earliest] = [candidate, first].map(|one| met_by(&self.forecasts, one).1);
+            match met.time.compare(&earliest.time) {
+                Ok(Equal) => {}
+                Ok(order) => {
+                    self.closest = self.closest.min(met.apart(earliest));
+                    if order == Less {
+                        first = candidate;
+                    }
+                }
                 Err(_) => return self.choose_by_proof(),
             }
         }

@@ -90,6 +90,9 @@ pub struct Timeline<S: Timed> {
     now: S,
     turn: u64,
     grazes: u64,
+    /// The least relative difference of the first two different times, at any
+    /// impact.
+    closest: f64,
     negligible: f64,
     /// What looks for accumulations, where there may be any.
     watch: Option<Watch<S>>,
@@ -144,6 +147,7 @@ impl<S: Timed> Timeline<S> {
             now: S::from_integer(0),
             turn: 0,
             grazes: 0,
+            closest: f64::INFINITY,
             negligible: until.hull().hi() * 2f64.powi(-1000),
             watch,
         };
@@ -194,6 +198,14 @@ impl<S: Timed> Timeline<S> {
     /// How many tangent passes there were so far.
     pub fn grazes(&self) -> u64 {
         self.grazes
+    }
+
+    /// The least difference, relative to either, of two different times of which
+    /// it had to be found out which is the first; or less, if bounds were
+    /// enough. Exact arithmetic only.
+    pub fn closest_call(&self) -> Option<f64> {
+        let closest = self.closest.min(self.forecaster.closest());
+        closest.is_finite().then_some(closest)
     }
 
     /// How many discs there are.

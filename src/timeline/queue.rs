@@ -51,6 +51,18 @@ impl Queue {
         node - self.first_slot
     }
 
+    /// The least key of all other slots.
+    #[inline]
+    pub(super) fn least_but(&self, slot: usize) -> f64 {
+        let mut node = self.first_slot + slot;
+        let mut least = f64::INFINITY;
+        while node > 1 {
+            least = least.min(self.minima[node ^ 1]);
+            node /= 2;
+        }
+        least
+    }
+
     /// Collects the slots whose keys are not above a limit, in their order.
     #[inline]
     pub(super) fn collect_up_to(&self, limit: f64, found: &mut Vec<usize>) {
@@ -107,6 +119,9 @@ mod tests {
                 if least.is_finite() {
                     let first = list.iter().position(|key| *key == least);
                     prop_assert_eq!(Some(queue.least_slot()), first);
+                    let others = list.iter().enumerate().filter(|(other, _)| *other != slot);
+                    let least = others.fold(f64::INFINITY, |least, (_, key)| least.min(*key));
+                    prop_assert_eq!(queue.least_but(slot), least);
                 }
             }
             let mut found = Vec::new();

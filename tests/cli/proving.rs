@@ -79,3 +79,35 @@ fn impacts_count_the_digits_of_pi() {
         assert_eq!(start, end);
     }
 }
+
+/// A disc that meets two others at times that differ by 3.1e-18, relative to
+/// them: that is 2^-58.2 (`scenes/hard/f64-order2d-0.json`).
+#[test]
+fn the_header_tells_how_close_it_was() {
+    let scratch = Scratch::new();
+    let case = std::fs::read_to_string(scene("hard/f64-order2d-0.json")).expect("the case");
+    let case: serde_json::Value = serde_json::from_str(&case).expect("JSON");
+    let name = scratch.write("close.json", case["scene"].to_string());
+    let header = run(&[&name, "--arithmetic", "exact"])
+        .header
+        .expect("a header");
+    assert_eq!(header.closest_bits, Some(58));
+    assert_eq!((header.bits, header.restarts), (Some(128), Some(0)));
+    assert!(header.bits_lost.is_some_and(|lost| lost < 32));
+}
+
+/// The rule is named, and belongs to the timeline.
+#[test]
+fn rules_for_simultaneous_impacts() {
+    let name = scene("figure-2.json");
+    for rule in ["sequential", "reflect"] {
+        let header = run(&[&name, "--simultaneous", rule])
+            .header
+            .expect("a header");
+        assert_eq!(header.simultaneous.as_deref(), Some(rule));
+    }
+    let misplaced = ["--algorithm", "single", "--simultaneous", "reflect"];
+    let (code, message) = ending(&[&["run", &*name], &misplaced[..]].concat());
+    assert_eq!(code, 2);
+    assert!(message.contains("--simultaneous: not an option of the algorithm single"));
+}
