@@ -255,7 +255,11 @@ fn unequal_discs() {
     let scene = Scene::builder("unequal")
         .disc(Disc::at([2, 2], 1).velocity(["13/7", "-3/5"]).mass("1/3"))
         .disc(Disc::at([6, 5], "3/2").velocity(["-1/9", "1"]).mass(7))
-        .disc(Disc::at([9, 1], "1/4").velocity(["-2", "5/3"]).mass("1/100"))
+        .disc(
+            Disc::at([9, 1], "1/4")
+                .velocity(["-2", "5/3"])
+                .mass("1/100"),
+        )
         .disc(Disc::at([8, 8], "4/5").infinite_mass())
         .walls_around([0, 0], [10, 10])
         .build()
