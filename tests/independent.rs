@@ -174,8 +174,8 @@ impl Box2 {
         };
         for (ball, share, sign) in [(i, &shares[0], 1), (j, &shares[1], -1)] {
             let change = grid.times(&push, share) * sign;
-            for axis in 0..2 {
-                self.balls[ball].speed[axis] += grid.times(&change, &n[axis]);
+            for (speed, n) in self.balls[ball].speed.iter_mut().zip(&n) {
+                *speed += grid.times(&change, n);
             }
         }
     }
