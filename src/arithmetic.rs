@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::scalar::{Exact, Number, Scalar};
+use crate::scalar::{Exact, Filtered, Number, Scalar};
 use crate::timeline::Timed;
 
 /// How precise the enclosures of exact arithmetic may get.
@@ -88,8 +88,9 @@ pub trait Arithmetic: Timed {
     /// The bits of enclosures, of an arithmetic that has them.
     fn bits(precision: Self::Precision) -> Option<u32>;
 
-    /// Whether only numbers within [`Number::BINARY64_RANGE`] are safe.
-    const LIMITED: bool;
+    /// The numbers of a scene that are safe have magnitudes between 2^-range and
+    /// 2^range; none where all are.
+    const RANGE: Option<i32>;
 
     /// A rational of the size that a [`Number`] can have, rounded at most
     /// once.
@@ -120,7 +121,8 @@ pub trait Arithmetic: Timed {
 
 impl Arithmetic for f64 {
     const NAME: &'static str = "f64";
-    const LIMITED: bool = true;
+    /// No product of four numbers overflows or vanishes.
+    const RANGE: Option<i32> = Some(Number::BINARY64_RANGE);
 
     fn certain_bits(&self) -> Option<u32> {
         None
@@ -146,9 +148,37 @@ impl Arithmetic for f64 {
     }
 }
 
+impl Arithmetic for Filtered {
+    const NAME: &'static str = "filtered";
+    /// Where a body is after the longest time is still a binary64 number.
+    const RANGE: Option<i32> = Some(400);
+
+    fn certain_bits(&self) -> Option<u32> {
+        None
+    }
+
+    fn shortened(self, _: u32) -> Self {
+        self
+    }
+
+    fn first_precision(_: &Budget) {}
+
+    fn next_precision(_: &Budget, (): (), _: Shortfall) -> Option<()> {
+        None
+    }
+
+    fn bits((): ()) -> Option<u32> {
+        None
+    }
+
+    fn exactly(&self, bits: u32) -> Exact {
+        self.get().exactly(bits)
+    }
+}
+
 impl Arithmetic for Exact {
     const NAME: &'static str = "exact";
-    const LIMITED: bool = false;
+    const RANGE: Option<i32> = None;
 
     fn certain_bits(&self) -> Option<u32> {
         self.accuracy().map(|bits| u32::try_from(bits).unwrap_or(0))

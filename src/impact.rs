@@ -4,10 +4,11 @@ use std::cmp::Ordering;
 
 use crate::arithmetic::Arithmetic;
 use crate::body::{Disc, End, Feature, Pair};
-use crate::respond::{Normal, collide_discs, collide_wall};
+use crate::kernel::Kernel;
+use crate::respond::Normal;
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
-use crate::world::World;
+use crate::world::{Corner, World};
 
 /// An impact, as it is logged (P3.4).
 #[derive(Clone, Debug)]
@@ -92,7 +93,7 @@ pub(crate) struct Place<S> {
     pub(crate) overlap: bool,
 }
 
-impl<S: Scalar> World<S> {
+impl<S: Kernel> World<S> {
     /// Applies the response to the impact of a disc on a feature, and
     /// remembers that they part.
     pub(crate) fn collide(
@@ -102,13 +103,22 @@ impl<S: Scalar> World<S> {
         place: Place<S>,
     ) -> Result<Contact<S>, S::Doubt> {
         let normal = self.normal(disc, feature, &place);
+        let restitution = &self.restitution;
         match feature {
             Feature::Disc(other) => {
-                let [first, second] = two(&mut self.discs, disc, other as usize);
-                collide_discs(first, second, &normal, &self.restitution)?;
+                let discs = two(&mut self.discs, disc, other as usize);
+                let centres = [&place.centre, &place.other];
+                S::collide_discs(discs, centres, &normal, restitution)?;
             }
-            Feature::Wall(_) | Feature::Corner(_) => {
-                collide_wall(&mut self.discs[disc], &normal, &self.restitution)?;
+            Feature::Wall(wall) => {
+                let wall = &self.walls[wall as usize].segment;
+                S::collide_wall(&mut self.discs[disc], wall, &normal, restitution)?;
+            }
+            Feature::Corner(corner) => {
+                let Corner { wall, end } = self.corners[corner as usize];
+                let corner = self.walls[wall as usize].segment.end(end);
+                let places = [&place.centre, corner];
+                S::collide_point(&mut self.discs[disc], places, &normal, restitution)?;
             }
         }
         Ok(self.part(disc, feature, place.centre, normal.direction))
@@ -148,7 +158,7 @@ impl<S: Scalar> World<S> {
     }
 }
 
-impl<S: Scalar> World<S> {
+impl<S: Kernel> World<S> {
     /// The same, where the two are now.
     pub(crate) fn collide_here(
         &mut self,

@@ -17,9 +17,11 @@ pub mod arithmetic;
 pub mod body;
 pub mod contacts;
 pub mod detect;
+pub mod filtered;
 pub mod frame;
 pub mod impact;
 pub mod judge;
+pub mod kernel;
 #[cfg(feature = "json")]
 pub mod log;
 pub mod paper;

@@ -9,7 +9,7 @@ use crate::body::Disc;
 use crate::contacts::Contacts;
 use crate::frame::{self, Frame, Passes};
 use crate::impact::Impact;
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 use crate::scene::{self, Scene};
 use crate::timeline::{Accumulation, Timed, Timeline};
 use crate::world::World;
@@ -134,7 +134,7 @@ impl<S: Arithmetic> Simulation<S> {
 }
 
 /// Simulates a frame with one of the paper's algorithms.
-fn step<S: Scalar>(
+fn step<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     algorithm: Algorithm,

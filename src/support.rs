@@ -16,12 +16,15 @@ pub enum Unsupported {
     },
     /// A number that is too large or too small for an arithmetic.
     #[error(
-        "{place}: expected a magnitude between 2^-{range} and 2^{range} for binary64, found {found}",
-        range = Number::BINARY64_RANGE
+        "{place}: expected a magnitude between 2^-{range} and 2^{range} for {arithmetic}, found {found}"
     )]
     Range {
         /// Where the number stands.
         place: String,
+        /// The arithmetic.
+        arithmetic: &'static str,
+        /// The numbers that it takes.
+        range: i32,
         /// The number.
         found: String,
     },
@@ -51,13 +54,15 @@ pub(crate) fn check_number<S: Arithmetic>(
     place: impl Into<String>,
     number: &Number,
 ) -> Result<(), Unsupported> {
-    if !S::LIMITED || number.fits_binary64() {
-        return Ok(());
+    match S::RANGE {
+        Some(range) if !number.is_within(range) => Err(Unsupported::Range {
+            place: place.into(),
+            arithmetic: S::NAME,
+            range,
+            found: number.to_string(),
+        }),
+        _ => Ok(()),
     }
-    Err(Unsupported::Range {
-        place: place.into(),
-        found: number.to_string(),
-    })
 }
 
 /// All numbers of a scene, with their places.

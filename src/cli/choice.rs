@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use carom::arithmetic::{Arithmetic as _, Budget};
 use carom::frame::Passes;
-use carom::scalar::Exact;
+use carom::scalar::{Exact, Filtered};
 use carom::simulation::Algorithm;
 use carom::timeline::Simultaneous;
 use clap::{Args, ValueEnum};
@@ -35,6 +35,7 @@ pub(super) enum AlgorithmName {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ArithmeticName {
     Binary64,
+    Filtered,
     Exact,
 }
 
@@ -44,9 +45,9 @@ impl FromStr for ArithmeticName {
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         match name {
             f64::NAME => Ok(Self::Binary64),
+            Filtered::NAME => Ok(Self::Filtered),
             Exact::NAME => Ok(Self::Exact),
-            "filtered" => Err("not in this version; expected f64 or exact"),
-            _ => Err("expected f64 or exact"),
+            _ => Err("expected f64, filtered or exact"),
         }
     }
 }

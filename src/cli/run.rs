@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use carom::arithmetic::Arithmetic;
 use carom::log::{MIN_DIGITS, Recorder, State, end_scene};
 use carom::run::{Options, Outcome, Status, run};
-use carom::scalar::{Exact, Number};
+use carom::scalar::{Exact, Filtered, Number};
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
@@ -32,7 +32,8 @@ pub(super) struct Arguments {
     scene: PathBuf,
     #[command(flatten)]
     algorithm: AlgorithmArguments,
-    /// The numbers that it is computed with: f64 or exact.
+    /// The numbers that it is computed with: f64, filtered (whose decisions are
+    /// exact for its numbers) or exact.
     #[arg(long, value_name = "N", default_value = "f64")]
     arithmetic: ArithmeticName,
     /// Where the event log goes; - is standard output, as is the default
@@ -88,6 +89,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let scene = Scene::read(&arguments.scene)?;
     match arguments.arithmetic {
         ArithmeticName::Binary64 => arguments.run::<f64>(&scene, algorithm),
+        ArithmeticName::Filtered => arguments.run::<Filtered>(&scene, algorithm),
         ArithmeticName::Exact => arguments.run::<Exact>(&scene, algorithm),
     }
 }
@@ -111,10 +113,10 @@ impl Arguments {
 
     /// The end is a number like those of the scene.
     fn check_until<S: Arithmetic>(&self) -> Result<(), Error> {
-        match &self.until {
-            Some(until) if S::LIMITED && !until.fits_binary64() => Err(Error::Usage(format!(
-                "--until: expected at most 2^{} for binary64, found {until}",
-                Number::BINARY64_RANGE
+        match (&self.until, S::RANGE) {
+            (Some(until), Some(range)) if !until.is_within(range) => Err(Error::Usage(format!(
+                "--until: expected at most 2^{range} for {}, found {until}",
+                S::NAME
             ))),
             _ => Ok(()),
         }

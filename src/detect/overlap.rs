@@ -44,16 +44,7 @@ pub fn overlap_circle<S: Scalar>(
     if S::power(&offset.x, &offset.y, reach).sign()? != Less {
         return Ok(None);
     }
-    let distance_squared = offset.norm_squared();
-    let is_concentric = distance_squared.sign()? == Equal;
-    let separation = || Separation {
-        direction: offset.clone(),
-        lack: reach.clone() / distance_squared.sqrt() - S::from_integer(1),
-    };
-    Ok(Some(Overlap {
-        end: None,
-        separation: (!is_concentric).then(separation),
-    }))
+    Overlap::with_circle(offset, reach).map(Some)
 }
 
 /// Whether a disc intersects a segment.
@@ -73,10 +64,7 @@ pub fn overlap_segment<S: Scalar>(
         return Ok(None);
     }
     match segment.nearest(&offset)? {
-        Nearest::Foot(end) => Ok(Some(Overlap {
-            end,
-            separation: separate_from_line(side, &reach, segment)?,
-        })),
+        Nearest::Foot(end) => Overlap::from_line(side, &reach, segment, end).map(Some),
         Nearest::Beyond(end) => {
             let overlap = overlap_circle(&segment.end(end).minus(centre), radius)?;
             let end = Some(end);
@@ -85,19 +73,53 @@ pub fn overlap_segment<S: Scalar>(
     }
 }
 
-/// The way out of a segment's interior, from the side and the radius, both
-/// times the length.
-fn separate_from_line<S: Scalar>(
-    side: S,
-    reach: &S,
-    segment: &Segment<S>,
-) -> Result<Option<Separation<S>>, S::Doubt> {
-    let across = segment.along.perpendicular();
-    let (direction, distance) = match side.sign()? {
-        Less => (-across, -side),
-        Equal => return Ok(None),
-        Greater => (across, side),
-    };
-    let lack = (reach.clone() - distance) / &segment.length_squared;
-    Ok(Some(Separation { direction, lack }))
+impl<S: Scalar> Overlap<S> {
+    /// The overlap, which is decided, of a circle of radius `reach` and a point
+    /// at `offset` from its centre.
+    pub(crate) fn with_circle(offset: &Vec2<S>, reach: &S) -> Result<Self, S::Doubt> {
+        let distance_squared = offset.norm_squared();
+        let is_concentric = distance_squared.sign()? == Equal;
+        let separation = || Separation {
+            direction: offset.clone(),
+            lack: reach.clone() / distance_squared.sqrt() - S::from_integer(1),
+        };
+        Ok(Self {
+            end: None,
+            separation: (!is_concentric).then(separation),
+        })
+    }
+
+    /// The overlap, which is decided, of a disc and the interior of a segment,
+    /// or exactly what is opposite an end.
+    pub(crate) fn with_line(
+        centre: &Vec2<S>,
+        radius: &S,
+        segment: &Segment<S>,
+        end: Option<End>,
+    ) -> Result<Self, S::Doubt> {
+        let side = centre.minus(&segment.from).cross(&segment.along);
+        let reach = radius.clone() * &segment.length;
+        Self::from_line(side, &reach, segment, end)
+    }
+
+    /// The same from the side and the radius, both times the length.
+    fn from_line(
+        side: S,
+        reach: &S,
+        segment: &Segment<S>,
+        end: Option<End>,
+    ) -> Result<Self, S::Doubt> {
+        let across = segment.along.perpendicular();
+        let (direction, distance) = match side.sign()? {
+            Less => (-across, -side),
+            Equal => {
+                let separation = None;
+                return Ok(Self { end, separation });
+            }
+            Greater => (across, side),
+        };
+        let lack = (reach.clone() - distance) / &segment.length_squared;
+        let separation = Some(Separation { direction, lack });
+        Ok(Self { end, separation })
+    }
 }

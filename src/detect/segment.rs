@@ -86,16 +86,6 @@ impl<S: Scalar> Segment<S> {
         }
     }
 
-    /// Whether a point moves towards the segment's line.
-    pub(crate) fn is_approached(
-        &self,
-        point: &Vec2<S>,
-        velocity: &Vec2<S>,
-    ) -> Result<bool, S::Doubt> {
-        let side = point.minus(&self.from).cross(&self.along);
-        Ok(opposite(side.sign()?, velocity.cross(&self.along).sign()?))
-    }
-
     /// The part of the segment that is nearest to a point whose offset from
     /// the first end point is given.
     pub(super) fn nearest(&self, offset: &Vec2<S>) -> Result<Nearest, S::Doubt> {

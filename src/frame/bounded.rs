@@ -2,16 +2,17 @@
 
 use super::overlap;
 use crate::body::Feature;
-use crate::scalar::{Doubt, Interval, Scalar};
+use crate::kernel::Kernel;
+use crate::scalar::{Doubt, Interval};
 use crate::world::{Obstacle, World};
 
 /// A world whose bounds are kept up with it.
-pub(super) struct Bounded<'a, S: Scalar> {
+pub(super) struct Bounded<'a, S: Kernel> {
     pub(super) world: &'a mut World<S>,
     bounds: Option<World<Interval>>,
 }
 
-impl<'a, S: Scalar> Bounded<'a, S> {
+impl<'a, S: Kernel> Bounded<'a, S> {
     pub(super) fn new(world: &'a mut World<S>) -> Self {
         Self {
             bounds: S::FILTERED.then(|| world.hull()),

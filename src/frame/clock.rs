@@ -3,8 +3,8 @@
 use std::cmp::Ordering::{self, Greater, Less};
 
 use crate::body::Feature;
-use crate::detect::Encounter;
-use crate::scalar::{Interval, Scalar};
+use crate::kernel::{Approach, Flight, Kernel, Met, Time};
+use crate::scalar::Interval;
 use crate::world::{Obstacle, World};
 
 /// How the clocks of a pair are read when it is tested.
@@ -18,20 +18,21 @@ pub(super) enum Clocks {
 
 /// A valid collision of a disc with something.
 #[derive(Clone, Debug)]
-pub(super) struct Collision<S> {
+pub(super) struct Collision<S: Kernel> {
     pub(super) disc: usize,
     pub(super) feature: Feature,
-    /// How long each of the two moves until then: the paper's `collidetime`
-    /// (P4.2, D3).
-    pub(super) spans: [S; 2],
+    /// When: on local clocks the time since each of the two was where it is,
+    /// the paper's `collidetime` (P4.2, D3). Collisions are ordered by it: a
+    /// time, not a distance (D6).
+    pub(super) when: S::Time,
+    /// Since when, counted like this, each of the two is where it is.
+    pub(super) since: [S; 2],
     /// What each clock shows then.
     pub(super) times: [S; 2],
     /// The names of these times, where they are those of before.
     moments: [Option<u64>; 2],
     /// Whether both clocks are known to show the same time then.
     pub(super) same_time: bool,
-    /// What collisions are ordered by: a time, not a distance (D6).
-    pub(super) order: S,
     pub(super) overlap: bool,
 }
 
@@ -47,7 +48,7 @@ pub(super) struct Clocked<S> {
     clocks: Clocks,
 }
 
-impl<S: Scalar> Clocked<S> {
+impl<S: Kernel> Clocked<S> {
     pub(super) fn new(count: usize, duration: S, clocks: Clocks) -> Self {
         Self {
             timepassed: vec![S::from_integer(0); count],
@@ -75,9 +76,10 @@ impl<S: Scalar> Clocked<S> {
         self.moments[disc] = moment;
     }
 
-    /// What is left of an object's frame (P4.4): a time, not a length (D4).
-    pub(super) fn left(&self, disc: usize) -> S {
-        self.duration.clone() - self.clock(disc)
+    /// The end of the frame, up to which what is left of it is a time, not a
+    /// length (P4.4, D4).
+    pub(super) fn end(&self) -> S::Time {
+        S::Time::at(self.duration.clone())
     }
 
     /// The collision of a pair, if both objects reach it within the frame.
@@ -103,14 +105,15 @@ impl<S: Scalar> Clocked<S> {
         disc: usize,
         wall: usize,
     ) -> Result<Option<Collision<S>>, S::Doubt> {
-        let Some(met) = collision(world.meet_wall(disc, wall)?) else {
+        let start = self.start(disc);
+        let Some(met) = collision(world.meet_wall(disc, &start, wall)?) else {
             return Ok(None);
         };
-        if met.delay.compare(&self.left(disc))? == Greater {
+        if !self.is_within_frame(disc, &met.time)? {
             return Ok(None);
         }
         let feature = world.feature(wall, met.end);
-        Ok(Some(self.at_delay(disc, feature, met)))
+        Ok(Some(self.at(met, disc, feature)))
     }
 
     #[inline]
@@ -120,18 +123,25 @@ impl<S: Scalar> Clocked<S> {
         disc: usize,
         other: usize,
     ) -> Result<Option<Collision<S>>, S::Doubt> {
-        let [first, second] = [disc, other].map(|index| &world.discs[index]);
-        let offset = second.position.minus(&first.position);
-        let velocity = second.velocity.minus(&first.velocity);
-        let Some(met) = collision(world.meet_discs((disc, other), &offset, &velocity)?) else {
+        let start = S::from_integer(0);
+        let [early, late] = [disc, other].map(|index| Flight {
+            disc: &world.discs[index],
+            since: &start,
+        });
+        let approach = Approach {
+            early,
+            late,
+            together: true,
+        };
+        let Some(met) = collision(S::meet_discs(&approach)?) else {
             return Ok(None);
         };
         for object in [disc, other] {
-            if met.delay.compare(&self.left(object))? == Greater {
+            if !self.is_within_frame(object, &met.time)? {
                 return Ok(None);
             }
         }
-        Ok(Some(self.at_delay(disc, Feature::Disc(other as u32), met)))
+        Ok(Some(self.at(met, disc, Feature::Disc(other as u32))))
     }
 
     fn test_synchronised(
@@ -140,30 +150,33 @@ impl<S: Scalar> Clocked<S> {
         disc: usize,
         other: usize,
     ) -> Result<Option<Collision<S>>, S::Doubt> {
-        let [first, second] = [disc, other].map(|index| &world.discs[index]);
         let late = self.later(disc, other)?;
-        let waits = [disc, other].map(|index| self.wait(index, late));
-        let offset = second
-            .position
-            .moved(&second.velocity, &waits[1])
-            .minus(&first.position.moved(&first.velocity, &waits[0]));
-        let velocity = second.velocity.minus(&first.velocity);
-        let Some(met) = collision(world.meet_discs((disc, other), &offset, &velocity)?) else {
+        let early = if late == disc { other } else { disc };
+        let flight = |index| Flight {
+            disc: &world.discs[index],
+            since: self.clock(index),
+        };
+        let approach = Approach {
+            early: flight(early),
+            late: flight(late),
+            together: self.moments[early] == self.moments[late],
+        };
+        let Some(met) = collision(S::meet_discs(&approach)?) else {
             return Ok(None);
         };
-        let time = self.clock(late).clone() + &met.delay;
-        if time.compare(&self.duration)? == Greater {
+        if met.time.order_to(&self.duration)? == Greater {
             return Ok(None);
         }
+        let time = met.time.value();
         Ok(Some(Collision {
             disc,
             feature: Feature::Disc(other as u32),
-            spans: waits.map(|wait| wait + &met.delay),
-            times: [time.clone(), time.clone()],
+            since: [disc, other].map(|index| self.clock(index).clone()),
+            times: [time.clone(), time],
             moments: [met.overlap.then_some(self.moments[late]); 2],
             same_time: true,
-            order: time,
             overlap: met.overlap,
+            when: met.time,
         }))
     }
 
@@ -176,46 +189,56 @@ impl<S: Scalar> Clocked<S> {
         Ok(if order == Less { other } else { disc })
     }
 
-    /// How long an object moves on until its clock shows what a later one does.
-    fn wait(&self, disc: usize, late: usize) -> S {
-        if self.moments[disc] == self.moments[late] {
-            return S::from_integer(0);
+    /// The time from which an object is tested on its own.
+    fn start(&self, disc: usize) -> S {
+        match self.clocks {
+            Clocks::Local => S::from_integer(0),
+            Clocks::Synchronised => self.clock(disc).clone(),
         }
-        self.clock(late).clone() - self.clock(disc)
+    }
+
+    /// Whether an object reaches a collision within its frame.
+    #[inline]
+    fn is_within_frame(&self, disc: usize, when: &S::Time) -> Result<bool, S::Doubt> {
+        let order = match self.clocks {
+            Clocks::Local => when.order_to_rest(&self.duration, self.clock(disc))?,
+            Clocks::Synchronised => when.order_to(&self.duration)?,
+        };
+        Ok(order != Greater)
     }
 
     /// The collision of a pair that touches and approaches.
     pub(super) fn touching(&self, disc: usize, feature: Feature) -> Collision<S> {
-        self.at_delay(disc, feature, Encounter::now())
+        self.at(Met::at_once(&self.start(disc)), disc, feature)
     }
 
     /// The collision in which both objects move for the same time.
-    fn at_delay(&self, disc: usize, feature: Feature, met: Encounter<S>) -> Collision<S> {
+    fn at(&self, met: Met<S::Time>, disc: usize, feature: Feature) -> Collision<S> {
         let partner = match feature {
             Feature::Disc(other) => other as usize,
             Feature::Wall(_) | Feature::Corner(_) => disc,
         };
-        let times = [disc, partner].map(|object| self.clock(object).clone() + &met.delay);
-        let order = match self.clocks {
-            Clocks::Local => met.delay.clone(),
-            Clocks::Synchronised => times[0].clone(),
+        let objects = [disc, partner];
+        let times = match self.clocks {
+            Clocks::Local => objects.map(|object| met.time.value_after(self.clock(object))),
+            Clocks::Synchronised => [met.time.value(), met.time.value()],
         };
-        let moments = [disc, partner].map(|object| self.moments[object]);
+        let moments = objects.map(|object| self.moments[object]);
         let equal = || times[0].compare(&times[1]).is_ok_and(Ordering::is_eq);
         Collision {
             disc,
             feature,
-            spans: [met.delay.clone(), met.delay],
+            since: objects.map(|object| self.start(object)),
             moments: moments.map(|moment| met.overlap.then_some(moment)),
             same_time: moments[0] == moments[1] || equal(),
             times,
-            order,
             overlap: met.overlap,
+            when: met.time,
         }
     }
 }
 
-impl<S: Scalar> Collision<S> {
+impl<S: Kernel> Collision<S> {
     /// The names of the times that the two clocks show then, with two that
     /// are new.
     pub(super) fn moments(&self, new: [u64; 2]) -> [u64; 2] {
@@ -228,6 +251,6 @@ impl<S: Scalar> Collision<S> {
 }
 
 /// A tangent pass is no collision.
-fn collision<S>(met: Option<Encounter<S>>) -> Option<Encounter<S>> {
-    met.filter(|encounter| !encounter.graze)
+fn collision<T>(met: Option<Met<T>>) -> Option<Met<T>> {
+    met.filter(|met| !met.graze)
 }

@@ -15,7 +15,7 @@ use super::Frame;
 use super::clock::Clocks;
 use super::pass::Passing;
 use crate::impact::Impact;
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 use crate::world::World;
 
 /// When the multiple collision algorithm stops looking for more collisions.
@@ -43,7 +43,7 @@ impl Passes {
 /// # Errors
 ///
 /// An enclosure does not decide whether or when a pair collides.
-pub fn multiple<S: Scalar>(
+pub fn multiple<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     passes: Passes,
@@ -53,7 +53,7 @@ pub fn multiple<S: Scalar>(
 
 /// Passes until no more are allowed, or until one finds nothing: then another
 /// would find nothing either (D10).
-pub(super) fn run_passes<S: Scalar>(
+pub(super) fn run_passes<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     passes: Passes,

@@ -8,14 +8,14 @@
 
 use crate::body::Feature;
 use crate::impact::two;
+use crate::kernel::Kernel;
 use crate::respond::{Share, shares};
-use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
 
 /// Moves a disc and an obstacle apart, if they overlap, so that they touch:
 /// what of the obstacle is returned.
-pub(super) fn separate<S: Scalar>(
+pub(super) fn separate<S: Kernel>(
     world: &mut World<S>,
     disc: usize,
     obstacle: Obstacle,
@@ -45,7 +45,7 @@ pub(super) fn separate<S: Scalar>(
     Ok(Some(feature))
 }
 
-fn displace<S: Scalar>(position: &mut Vec2<S>, push: &Vec2<S>, share: &Share<S>) {
+fn displace<S: Kernel>(position: &mut Vec2<S>, push: &Vec2<S>, share: &Share<S>) {
     *position = match share {
         Share::Nothing => return,
         Share::Part(part) => position.moved(push, part),

@@ -13,12 +13,13 @@ use super::bounded::Bounded;
 use super::clock::{Clocked, Clocks, Collision};
 use crate::body::Feature;
 use crate::impact::{Impact, Place, Step};
-use crate::scalar::{Doubt, Interval, Scalar};
+use crate::kernel::{Kernel, Time};
+use crate::scalar::{Doubt, Interval};
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
 
 /// A frame on its way through its passes.
-pub(super) struct Passing<'a, S: Scalar> {
+pub(super) struct Passing<'a, S: Kernel> {
     bodies: Bounded<'a, S>,
     frame: &'a Frame<S>,
     clocked: Clocked<S>,
@@ -35,7 +36,7 @@ pub(super) struct Passing<'a, S: Scalar> {
     moments: u64,
 }
 
-impl<'a, S: Scalar> Passing<'a, S> {
+impl<'a, S: Kernel> Passing<'a, S> {
     pub(super) fn new(world: &'a mut World<S>, frame: &'a Frame<S>, clocks: Clocks) -> Self {
         let count = world.discs.len();
         let clocked = Clocked::new(count, frame.duration.clone(), clocks);
@@ -85,8 +86,10 @@ impl<'a, S: Scalar> Passing<'a, S> {
             askew,
             ..
         } = self;
+        let end = clocked.end();
         for disc in (0..collided.len()).filter(|&disc| !collided[disc]) {
-            bodies.world.advance_disc(disc, &clocked.left(disc));
+            let clock = clocked.clock(disc);
+            bodies.world.advance_disc(disc, clock, &end);
             if askew[disc] {
                 // The two went on for different times: they may meet again.
                 bodies.world.discs[disc].last = None;
@@ -159,7 +162,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
         }
         let names =
             |collision: &Collision<S>| self.bodies.world.names(collision.disc, collision.feature);
-        let order = one.order.compare(&other.order).map_err(|doubt| {
+        let order = one.when.order(&other.when).map_err(|doubt| {
             let (one, other) = (names(one).0, names(other).0);
             doubt.asking(|| format!("whether {one} or {other} collide first"))
         })?;
@@ -174,8 +177,10 @@ impl<'a, S: Scalar> Passing<'a, S> {
     fn respond(&mut self, collision: &Collision<S>) -> Result<Impact<S>, S::Doubt> {
         let (disc, feature) = (collision.disc, collision.feature);
         for (object, side) in self.moved(collision) {
-            let span = &collision.spans[side];
-            self.bodies.world.advance_disc(object, span);
+            let since = &collision.since[side];
+            self.bodies
+                .world
+                .advance_disc(object, since, &collision.when);
         }
         let place = self.place(collision);
         let contact = self.bodies.world.collide(disc, feature, place)?;
@@ -201,26 +206,24 @@ impl<'a, S: Scalar> Passing<'a, S> {
 
     /// Where the two are when they collide.
     fn place(&self, collision: &Collision<S>) -> Place<S> {
-        let [span, other_span] = &collision.spans;
         let other = match collision.feature {
-            Feature::Disc(other) => self.position_after(other as usize, other_span),
+            Feature::Disc(other) => self.position_brought(other as usize, collision, 1),
             Feature::Wall(_) | Feature::Corner(_) => Vec2::zero(),
         };
         Place {
-            centre: self.position_after(collision.disc, span),
+            centre: self.position_brought(collision.disc, collision, 0),
             other,
             overlap: collision.overlap,
         }
     }
 
     /// Where an object is that has moved to a collision, or does not stop.
-    fn position_after(&self, disc: usize, span: &S) -> Vec2<S> {
-        let object = &self.bodies.world.discs[disc];
-        if object.is_movable() {
-            object.position.clone()
-        } else {
-            object.position.moved(&object.velocity, span)
+    fn position_brought(&self, disc: usize, collision: &Collision<S>, side: usize) -> Vec2<S> {
+        if self.is_movable(disc) {
+            return self.bodies.world.discs[disc].position.clone();
         }
+        let since = &collision.since[side];
+        self.bodies.world.position_at(disc, since, &collision.when)
     }
 
     /// The objects that a collision changes, each with whether it is the

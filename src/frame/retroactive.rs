@@ -8,7 +8,7 @@
 use super::Frame;
 use super::bounded::Bounded;
 use crate::impact::{Impact, Step};
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 use crate::world::World;
 
 /// Simulates a frame in so many steps of equal length.
@@ -16,7 +16,7 @@ use crate::world::World;
 /// # Errors
 ///
 /// An enclosure does not decide whether a pair overlaps or approaches.
-pub fn retroactive<S: Scalar>(
+pub fn retroactive<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     substeps: u32,
@@ -38,7 +38,7 @@ pub fn retroactive<S: Scalar>(
 }
 
 /// Moves apart whatever overlaps, and lets it collide if it approaches (D15).
-fn collide_overlapping<S: Scalar>(
+fn collide_overlapping<S: Kernel>(
     world: &mut World<S>,
     time: &S,
     step: Step,

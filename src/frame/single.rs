@@ -9,7 +9,7 @@ use super::Frame;
 use super::clock::Clocks;
 use super::pass::Passing;
 use crate::impact::Impact;
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 use crate::world::World;
 
 /// Simulates a frame with at most one collision an object.
@@ -17,7 +17,7 @@ use crate::world::World;
 /// # Errors
 ///
 /// An enclosure does not decide whether or when a pair collides.
-pub fn single<S: Scalar>(
+pub fn single<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
 ) -> Result<Vec<Impact<S>>, S::Doubt> {

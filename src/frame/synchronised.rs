@@ -10,7 +10,7 @@ use super::Frame;
 use super::clock::Clocks;
 use super::multiple::{Passes, run_passes};
 use crate::impact::Impact;
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 use crate::world::World;
 
 /// Simulates a frame in several passes on synchronised clocks.
@@ -18,7 +18,7 @@ use crate::world::World;
 /// # Errors
 ///
 /// An enclosure does not decide whether or when a pair collides.
-pub fn synchronised<S: Scalar>(
+pub fn synchronised<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     passes: Passes,

@@ -9,7 +9,7 @@ use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::rounding::{Leading, Rounding};
+use super::rounding::{Leading, Rounding, ratio_to_f64};
 
 /// `mantissa` × 2^`exponent`.
 ///
@@ -182,6 +182,24 @@ impl Dyadic {
             &self.mantissa * &other.mantissa,
             self.exponent + other.exponent,
         )
+    }
+
+    /// The difference, exactly.
+    pub(crate) fn sub(self, other: &Self) -> Self {
+        self.add(&-other.clone())
+    }
+
+    /// Half of the number.
+    pub(crate) fn halved(self) -> Self {
+        Self::new(self.mantissa, self.exponent - 1)
+    }
+
+    /// The binary64 neighbour of the quotient by a positive number.
+    pub(crate) fn divided_by(&self, divisor: &Self, rounding: Rounding) -> f64 {
+        let shift = self.exponent - divisor.exponent;
+        let [up, down] = [shift.max(0), (-shift).max(0)];
+        let quotient = BigRational::new_raw(&self.mantissa << up, &divisor.mantissa << down);
+        ratio_to_f64(&quotient, rounding)
     }
 
     /// The order of two numbers.

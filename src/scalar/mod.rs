@@ -14,6 +14,7 @@ mod ball;
 mod binary64;
 mod dyadic;
 mod exact;
+mod filtered;
 mod form;
 mod gradient;
 mod interval;
@@ -34,10 +35,12 @@ use num_rational::BigRational;
 
 pub(crate) use dyadic::Dyadic;
 pub use exact::Exact;
+pub use filtered::Filtered;
 pub use interval::Interval;
-pub(crate) use isqrt::exact_sqrt;
+pub(crate) use isqrt::{exact_sqrt, isqrt};
 pub use number::{Number, NumberError};
 pub(crate) use radius::Radius;
+pub(crate) use rounding::Rounding;
 #[cfg(feature = "json")]
 pub(crate) use rounding::nearest_binary64;
 pub use step::Step;

@@ -149,15 +149,15 @@ impl Number {
         self.sign() == Ordering::Equal
     }
 
-    /// Whether a binary64 run takes the number: see
-    /// [`BINARY64_RANGE`](Self::BINARY64_RANGE).
-    pub fn fits_binary64(&self) -> bool {
-        let largest = f64::from(Self::BINARY64_RANGE).exp2();
+    /// Whether the number is zero or has a magnitude from 2^-`range` to
+    /// 2^`range`, where the range is less than 1022.
+    pub fn is_within(&self, range: i32) -> bool {
+        let largest = f64::from(range).exp2();
         match &self.0 {
             Repr::Binary64(number) => {
                 *number == 0.0 || (largest.recip()..=largest).contains(&number.abs())
             }
-            Repr::Rational(ratio) => is_within(ratio, Self::BINARY64_RANGE),
+            Repr::Rational(ratio) => is_within(ratio, range),
         }
     }
 
@@ -297,25 +297,25 @@ mod tests {
         let largest = 200_f64.exp2();
         for number in [largest, -largest, largest.recip(), 0.0, 1.0] {
             let number = Number::try_from(number).unwrap();
-            assert!(number.fits_binary64());
+            assert!(number.is_within(200));
             assert!(
                 Number::try_from(number.to_rational())
                     .unwrap()
-                    .fits_binary64()
+                    .is_within(200)
             );
         }
         for number in [largest.next_up(), -largest.recip().next_down()] {
             let number = Number::try_from(number).unwrap();
-            assert!(!number.fits_binary64());
+            assert!(!number.is_within(200));
             assert!(
                 !Number::try_from(number.to_rational())
                     .unwrap()
-                    .fits_binary64()
+                    .is_within(200)
             );
         }
         // It rounds to 2^200, but is above.
         let above = Number::try_from(power(200) + ratio(1, 3)).unwrap();
-        assert!(!above.fits_binary64());
+        assert!(!above.is_within(200));
     }
 
     #[test]

@@ -13,6 +13,7 @@ use super::forecast::Effort;
 use super::{Simultaneous, Timeline};
 use crate::body::Feature;
 use crate::impact::{Contact, Impact};
+use crate::kernel::Time;
 use crate::respond::{Reflection, reflect_cluster};
 use crate::scalar::Doubt;
 use crate::world::Obstacle;
@@ -65,7 +66,7 @@ impl<S: Timed> Timeline<S> {
             return Ok(None);
         };
         let trigger = forecast.foreseen(disc);
-        let time = meeting.time.clone().not_before(&self.now);
+        let time = meeting.time.value().not_before(&self.now);
         let mut cluster = Cluster {
             contacts: vec![(trigger.disc, trigger.feature)],
             discs: self.movable(trigger.disc, trigger.feature).collect(),
@@ -141,7 +142,8 @@ impl<S: Timed> Timeline<S> {
             ..
         } = cluster;
         for &disc in discs {
-            self.flights.bring(disc, time, moment, self.turn);
+            let time = S::Time::at(time.clone());
+            self.flights.bring(disc, &time, moment, self.turn);
         }
         for &(disc, feature) in contacts {
             self.flights.world.contacts.join(disc, feature);

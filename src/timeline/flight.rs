@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use super::arbiter::{Arbiter, Foreseen, Timed};
 use crate::body::{Disc, Feature};
-use crate::detect::{Encounter, gap_circle, gap_segment};
+use crate::detect::{gap_circle, gap_segment};
 use crate::impact::Place;
+use crate::kernel::{Approach, Flight, Kernel, Met, Time};
 use crate::respond::ClusterContact;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
@@ -26,8 +27,8 @@ pub struct Flights<S> {
 
 /// What a disc meets next of one body, and when.
 #[derive(Clone, Debug)]
-pub struct Meeting<S> {
-    pub(super) time: S,
+pub struct Meeting<S: Kernel> {
+    pub(super) time: S::Time,
     pub(super) feature: Feature,
     pub(super) graze: bool,
     pub(super) overlap: bool,
@@ -35,15 +36,16 @@ pub struct Meeting<S> {
     pub(super) moment: Option<u64>,
 }
 
-impl<S: Scalar> Meeting<S> {
+impl<S: Kernel> Meeting<S> {
     /// How far apart two times are, relative to the later one.
     pub(super) fn apart(&self, other: &Self) -> f64 {
-        let apart = (self.time.clone() - &other.time).to_f64().abs();
-        apart / self.time.to_f64().max(other.time.to_f64())
+        let [one, two] = [self, other].map(|meeting| meeting.time.value());
+        let apart = (one.clone() - &two).to_f64().abs();
+        apart / one.to_f64().max(two.to_f64())
     }
 }
 
-impl<S: Scalar> Flights<S> {
+impl<S: Kernel> Flights<S> {
     pub(super) fn new(world: World<S>) -> Self {
         let count = world.discs.len();
         Self {
@@ -88,57 +90,48 @@ impl<S: Scalar> Flights<S> {
         } else {
             (other, disc)
         };
-        let start = &self.since[late];
-        let [first, second] = [early, late].map(|index| &self.world.discs[index]);
-        let offset = second.position.minus(&self.position_at(early, start));
-        let velocity = second.velocity.minus(&first.velocity);
-        self.check_order(early, late, &offset)?;
-        let met = self.world.meet_discs((early, late), &offset, &velocity)?;
-        let feature = Feature::Disc(other as u32);
-        Ok(met.map(|encounter| self.meeting(late, encounter, feature)))
-    }
-
-    /// The later turn is the later time, unless the two changed in impacts so
-    /// close that none had to be proven the first. Then the discs must be
-    /// apart, by more than they move in between.
-    #[inline]
-    fn check_order(&self, early: usize, late: usize, offset: &Vec2<S>) -> Result<(), S::Doubt> {
-        if S::ROUNDS || self.moment[early] == self.moment[late] {
-            return Ok(());
-        }
-        let Err(doubt) = self.since[early].compare(&self.since[late]) else {
-            return Ok(());
+        let approach = Approach {
+            early: self.flight(early),
+            late: self.flight(late),
+            together: self.moment[early] == self.moment[late],
         };
-        let [first, second] = [early, late].map(|index| &self.world.discs[index]);
-        let reach = first.radius.clone() + &second.radius;
-        match S::power(&offset.x, &offset.y, &reach).sign()? {
-            Ordering::Greater => Ok(()),
-            _ => Err(doubt),
-        }
+        check_order(&approach)?;
+        let met = S::meet_discs(&approach)?;
+        let feature = Feature::Disc(other as u32);
+        Ok(met.map(|met| self.meeting(late, met, feature)))
     }
 
     fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
-        let met = self.world.meet_wall(disc, wall)?;
-        Ok(met.map(|encounter| {
-            let feature = self.world.feature(wall, encounter.end);
-            self.meeting(disc, encounter, feature)
+        let met = self.world.meet_wall(disc, &self.since[disc], wall)?;
+        Ok(met.map(|met| {
+            let feature = self.world.feature(wall, met.end);
+            self.meeting(disc, met, feature)
         }))
     }
 
     /// The meeting of a disc with a feature that it touches and approaches.
     pub(super) fn touching(&self, disc: usize, feature: Feature) -> Meeting<S> {
-        self.meeting(disc, Encounter::now(), feature)
+        self.meeting(disc, Met::at_once(&self.since[disc]), feature)
     }
 
-    /// The meeting that an encounter leads to, seen from where a disc is.
+    /// The meeting with a feature, of which a disc is the one that is known
+    /// since the later time.
     #[inline]
-    fn meeting(&self, start: usize, encounter: Encounter<S>, feature: Feature) -> Meeting<S> {
+    fn meeting(&self, late: usize, met: Met<S::Time>, feature: Feature) -> Meeting<S> {
         Meeting {
-            time: self.since[start].clone() + encounter.delay,
+            time: met.time,
             feature,
-            graze: encounter.graze,
-            overlap: encounter.overlap,
-            moment: encounter.overlap.then_some(self.moment[start]),
+            graze: met.graze,
+            overlap: met.overlap,
+            moment: met.overlap.then_some(self.moment[late]),
+        }
+    }
+
+    #[inline]
+    fn flight(&self, disc: usize) -> Flight<'_, S> {
+        Flight {
+            disc: &self.world.discs[disc],
+            since: &self.since[disc],
         }
     }
 
@@ -157,7 +150,7 @@ impl<S: Scalar> Flights<S> {
         if first.moment.is_some() && first.moment == second.moment && !S::ROUNDS {
             return Ok(Ordering::Equal);
         }
-        first.time.compare(&second.time).or_else(|doubt| {
+        first.time.order(&second.time).or_else(|doubt| {
             let [one, other] = [one, other].map(|(disc, meeting)| Foreseen::meeting(disc, meeting));
             arbiter.order(self, &one, &other, doubt)
         })
@@ -166,9 +159,7 @@ impl<S: Scalar> Flights<S> {
     /// Where a disc is at a time, if nothing changes its motion.
     #[inline]
     pub(super) fn position_at(&self, disc: usize, time: &S) -> Vec2<S> {
-        let body = &self.world.discs[disc];
-        let flown = time.clone() - &self.since[disc];
-        body.position.moved(&body.velocity, &flown)
+        S::position_at(self.flight(disc), &S::Time::at(time.clone()))
     }
 
     /// A disc as it is at a time.
@@ -278,11 +269,10 @@ impl<S: Scalar> Flights<S> {
     }
 
     /// Takes a disc to the time of its impact, at some turn.
-    pub(super) fn bring(&mut self, disc: usize, time: &S, moment: u64, turn: u64) {
+    pub(super) fn bring(&mut self, disc: usize, time: &S::Time, moment: u64, turn: u64) {
         if self.moment[disc] != moment {
-            let flown = time.clone() - &self.since[disc];
-            self.world.advance_disc(disc, &flown);
-            self.since[disc] = time.clone();
+            self.world.advance_disc(disc, &self.since[disc], time);
+            self.since[disc] = time.value();
             self.moment[disc] = moment;
         }
         self.turn[disc] = turn;
@@ -319,7 +309,33 @@ impl<S: Scalar> Flights<S> {
     }
 }
 
+/// The later turn is the later time, unless the two discs changed in impacts so
+/// close that none had to be proven the first. Then they must be apart, by more
+/// than they move in between.
+#[inline]
+fn check_order<S: Kernel>(approach: &Approach<'_, S>) -> Result<(), S::Doubt> {
+    if S::ROUNDS || approach.together {
+        return Ok(());
+    }
+    let Err(doubt) = approach.early.since.compare(approach.late.since) else {
+        return Ok(());
+    };
+    let (offset, reach) = (approach.offset(), approach.reach());
+    match S::power(&offset.x, &offset.y, &reach).sign()? {
+        Ordering::Greater => Ok(()),
+        _ => Err(doubt),
+    }
+}
+
 impl Flights<Interval> {
+    /// Takes over a disc's motion from flights that these are the bounds of.
+    pub(super) fn follow<S: Kernel>(&mut self, disc: usize, flights: &Flights<S>) {
+        self.world.discs[disc] = flights.world.discs[disc].map(S::hull);
+        self.since[disc] = flights.since[disc].hull();
+        self.moment[disc] = flights.moment[disc];
+        self.turn[disc] = flights.turn[disc];
+    }
+
     /// A time before which a disc and an obstacle do not touch: of two discs
     /// the gap between them, divided by their relative speed, from where they
     /// are.

@@ -16,12 +16,13 @@ use super::arbiter::{Arbiter, Foreseen, Timed};
 use super::flight::{Flights, Meeting};
 use super::sweep::Sweep;
 use crate::body::Feature;
-use crate::scalar::{Doubt, Interval, Scalar};
+use crate::kernel::{Kernel, Time};
+use crate::scalar::{Doubt, Interval};
 use crate::world::{Obstacle, World};
 
 /// The first meeting of a disc.
 #[derive(Clone, Debug)]
-pub(super) struct Forecast<S: Scalar> {
+pub(super) struct Forecast<S: Kernel> {
     /// Binary64 bounds of the time.
     pub(super) bounds: Interval,
     pub(super) outlook: Outlook<S>,
@@ -31,7 +32,7 @@ pub(super) struct Forecast<S: Scalar> {
 
 /// How much of a disc's first meeting is known.
 #[derive(Clone, Debug)]
-pub(super) enum Outlook<S> {
+pub(super) enum Outlook<S: Kernel> {
     /// Only that there is none before the lower bound of the time: it is left
     /// for later to tell the candidates apart.
     Open,
@@ -50,7 +51,7 @@ pub(super) struct Foresight {
 }
 
 impl Foresight {
-    fn new<S: Scalar>(feature: Feature, flights: &Flights<S>) -> Self {
+    fn new<S: Kernel>(feature: Feature, flights: &Flights<S>) -> Self {
         Self {
             feature,
             partner_turn: flights.turn_of(feature),
@@ -58,7 +59,7 @@ impl Foresight {
     }
 }
 
-impl<S: Scalar> Forecast<S> {
+impl<S: Kernel> Forecast<S> {
     fn open(earliest: f64, horizon: f64) -> Self {
         Self {
             bounds: Interval::new(earliest, horizon),
@@ -80,7 +81,7 @@ impl<S: Scalar> Forecast<S> {
     fn computed(meeting: Meeting<S>, flights: &Flights<S>) -> Self {
         let foresight = Foresight::new(meeting.feature, flights);
         Self {
-            bounds: meeting.time.hull(),
+            bounds: meeting.time.bounds(),
             outlook: Outlook::Computed(meeting, foresight),
             contested: None,
         }
@@ -143,7 +144,7 @@ impl<S: Timed> Forecast<S> {
         if let Outlook::Bounded(obstacle, foresight) = self.outlook {
             let met = meet(flights, disc, obstacle, arbiter)?;
             let meeting = met.expect("bounds prove that the two meet");
-            self.bounds = meeting.time.hull();
+            self.bounds = meeting.time.bounds();
             self.outlook = Outlook::Computed(meeting, foresight);
         }
         Ok(self.meeting().expect("it is not open what is met"))
@@ -183,7 +184,7 @@ pub(super) enum Partners {
 
 impl Partners {
     #[inline]
-    pub(super) fn of<S: Scalar>(
+    pub(super) fn of<S: Kernel>(
         self,
         world: &World<S>,
         disc: usize,
@@ -248,7 +249,7 @@ pub(super) enum Effort {
 }
 
 impl Forecaster {
-    pub(super) fn new<S: Scalar>(flights: &Flights<S>, horizon: &S) -> Self {
+    pub(super) fn new<S: Kernel>(flights: &Flights<S>, horizon: &S) -> Self {
         let horizon = horizon.hull().hi();
         Self {
             bounds: S::FILTERED.then(|| Bounds::new(flights.hull(), horizon)),
@@ -265,14 +266,14 @@ impl Forecaster {
     }
 
     /// Takes note of a disc that has changed.
-    pub(super) fn update<S: Scalar>(&mut self, flights: &Flights<S>, disc: usize) {
+    pub(super) fn update<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
         if let Some(bounds) = &mut self.bounds {
             bounds.update(flights, disc);
         }
     }
 
     /// Whether bounds prove that a disc and an obstacle are apart at a time.
-    pub(super) fn are_apart<S: Scalar>(&self, disc: usize, obstacle: Obstacle, time: &S) -> bool {
+    pub(super) fn are_apart<S: Kernel>(&self, disc: usize, obstacle: Obstacle, time: &S) -> bool {
         self.bounds.as_ref().is_some_and(|bounds| {
             let gap = bounds.flights.gap(disc, obstacle, &time.hull());
             matches!(gap, Ok((Greater, _)))
@@ -328,10 +329,8 @@ impl Bounds {
         Self { flights, sweep }
     }
 
-    fn update<S: Scalar>(&mut self, flights: &Flights<S>, disc: usize) {
-        self.flights.world.discs[disc] = flights.world.discs[disc].map(S::hull);
-        self.flights.since[disc] = flights.since[disc].hull();
-        self.flights.turn[disc] = flights.turn[disc];
+    fn update<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
+        self.flights.follow(disc, flights);
         self.sweep.update(&self.flights, disc);
     }
 
@@ -377,7 +376,7 @@ impl Bounds {
 }
 
 /// The first of a disc's meetings among those offered so far.
-struct First<'a, S: Scalar> {
+struct First<'a, S: Kernel> {
     flights: &'a Flights<S>,
     /// No meeting after this is of interest.
     horizon: f64,
@@ -411,7 +410,7 @@ impl<'a, S: Timed> First<'a, S> {
         let Some(meeting) = met.filter(|meeting| !skips(meeting.feature, meeting.overlap)) else {
             return Ok(());
         };
-        if meeting.time.hull().lo() <= self.horizon {
+        if meeting.time.bounds().lo() <= self.horizon {
             self.enter(disc, meeting, arbiter);
         }
         Ok(())
@@ -446,7 +445,7 @@ impl<'a, S: Timed> First<'a, S> {
     /// The first meeting, with the reason if a rival may still be before it.
     fn finish(self, disc: usize) -> Option<Forecast<S>> {
         let best = self.best?;
-        let open = |rival: &Meeting<S>| !matches!(rival.time.compare(&best.time), Ok(Greater));
+        let open = |rival: &Meeting<S>| !matches!(rival.time.order(&best.time), Ok(Greater));
         let rival = self.rivals.into_iter().find(|(rival, _)| open(rival));
         let contested = rival.map(|(rival, doubt)| {
             let [one, two] =

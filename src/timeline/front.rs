@@ -11,7 +11,8 @@ use super::arbiter::{Arbiter, Foreseen, Timed};
 use super::flight::Meeting;
 use super::forecast::{Effort, Forecast};
 use crate::body::{End, Pair};
-use crate::scalar::{Doubt, Scalar};
+use crate::kernel::{Kernel, Time};
+use crate::scalar::Doubt;
 
 /// A forecast as a candidate for the next impact.
 #[derive(Clone, Debug)]
@@ -146,10 +147,12 @@ impl<S: Timed> Timeline<S> {
         let mut first = &self.candidates[0];
         for candidate in &self.candidates[1..] {
             let [met, earliest] = [candidate, first].map(|one| met_by(&self.forecasts, one).1);
-            match met.time.compare(&earliest.time) {
+            match met.time.order(&earliest.time) {
                 Ok(Equal) => {}
                 Ok(order) => {
-                    self.closest = self.closest.min(met.apart(earliest));
+                    if !S::ROUNDS {
+                        self.closest = self.closest.min(met.apart(earliest));
+                    }
                     if order == Less {
                         first = candidate;
                     }
@@ -194,7 +197,7 @@ impl<S: Timed> Timeline<S> {
         let order = self.flights.order(first, second, &mut self.arbiter);
         order.or_else(|doubt| {
             let commute = !one.names.0.shares_disc(&other.names.0);
-            let apart = first.1.time.clone() - &second.1.time;
+            let apart = first.1.time.value() - &second.1.time.value();
             if commute && is_negligible(&apart, self.negligible) {
                 return Ok(Equal);
             }
@@ -220,7 +223,7 @@ impl<S: Timed> Timeline<S> {
         !first.graze
             && !second.graze
             && (first.moment.is_none() || first.moment != second.moment)
-            && first.time.compare(&second.time).is_err()
+            && first.time.order(&second.time).is_err()
             && matches!(self.flights.order(one, other, &mut self.arbiter), Ok(Equal))
     }
 
@@ -235,7 +238,7 @@ impl<S: Timed> Timeline<S> {
         let Some(meeting) = next.meeting() else {
             return self.compute(disc).map(|_| None);
         };
-        let order = meeting.time.compare(limit).or_else(|doubt| {
+        let order = meeting.time.order_to(limit).or_else(|doubt| {
             let doubt = doubt.asking(|| format!("whether d{disc} meets anything before the end"));
             let met = Foreseen::meeting(disc, meeting);
             self.arbiter.order_to(&self.flights, &met, limit, doubt)
@@ -245,7 +248,7 @@ impl<S: Timed> Timeline<S> {
 }
 
 /// The disc of a candidate among several, and what it meets.
-fn met_by<'a, S: Scalar>(
+fn met_by<'a, S: Kernel>(
     forecasts: &'a [Option<Forecast<S>>],
     candidate: &Candidate,
 ) -> (usize, &'a Meeting<S>) {
@@ -254,7 +257,7 @@ fn met_by<'a, S: Scalar>(
     (candidate.disc, meeting.expect("candidates are computed"))
 }
 
-fn is_negligible<S: Scalar>(apart: &S, limit: f64) -> bool {
+fn is_negligible<S: Kernel>(apart: &S, limit: f64) -> bool {
     let apart = apart.hull();
     -limit <= apart.lo() && apart.hi() <= limit
 }

@@ -28,6 +28,7 @@ use std::fmt;
 
 use crate::body::{Disc, Feature};
 use crate::impact::{Contact, Impact};
+use crate::kernel::Time;
 use crate::symmetry::Symmetry;
 use crate::world::World;
 use accumulation::Watch;
@@ -301,6 +302,7 @@ impl<S: Timed> Timeline<S> {
         for changed in self.movable(first, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
         }
+        let time = time.value();
         let place = self.flights.place(first, feature, &time, overlap);
         let contact = self.flights.world.collide(first, feature, place)?;
         Ok((time, contact))

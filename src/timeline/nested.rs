@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use crate::body::Feature;
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 use crate::world::{Obstacle, World};
 
 /// The pairs that have not parted from such a start.
@@ -15,7 +15,7 @@ pub(super) struct Nested {
 
 impl Nested {
     /// The pairs that start so, each with the lower disc first.
-    pub(super) fn find<S: Scalar>(world: &World<S>) -> Self {
+    pub(super) fn find<S: Kernel>(world: &World<S>) -> Self {
         let mut pairs = concentric(world);
         for disc in 0..world.discs.len() {
             let walls = (0..world.walls.len()).filter(|&wall| is_on_wall(world, disc, wall));
@@ -58,7 +58,7 @@ fn is_of<S>(
 }
 
 /// Equal positions have equal binary64 neighbours: only those are compared.
-fn concentric<S: Scalar>(world: &World<S>) -> Vec<(usize, Obstacle)> {
+fn concentric<S: Kernel>(world: &World<S>) -> Vec<(usize, Obstacle)> {
     let near = |disc: &usize| world.discs[*disc].position.map(S::to_f64);
     let mut discs: Vec<usize> = (0..world.discs.len()).collect();
     discs.sort_by(|one, other| {
@@ -78,13 +78,13 @@ fn concentric<S: Scalar>(world: &World<S>) -> Vec<(usize, Obstacle)> {
     pairs
 }
 
-fn is_concentric<S: Scalar>(world: &World<S>, one: usize, other: usize) -> bool {
+fn is_concentric<S: Kernel>(world: &World<S>, one: usize, other: usize) -> bool {
     let [one, other] = [one, other].map(|disc| &world.discs[disc].position);
     let equal = |a: &S, b: &S| a.compare(b).is_ok_and(Ordering::is_eq);
     equal(&one.x, &other.x) && equal(&one.y, &other.y)
 }
 
-fn is_on_wall<S: Scalar>(world: &World<S>, disc: usize, wall: usize) -> bool {
+fn is_on_wall<S: Kernel>(world: &World<S>, disc: usize, wall: usize) -> bool {
     let segment = &world.walls[wall].segment;
     let offset = world.discs[disc].position.minus(&segment.from);
     offset

@@ -11,6 +11,7 @@
 use super::flight::Flights;
 use crate::body::{Disc, Feature};
 use crate::detect::{Encounter, Segment, meet_circle, meet_segment};
+use crate::kernel::Kernel;
 use crate::respond::{Normal, Restitution, collide_discs, collide_wall};
 use crate::scalar::{Scalar, Step};
 use crate::vec2::Vec2;
@@ -178,7 +179,7 @@ fn reflect<T: Scalar>(
     })
 }
 
-impl<S: Scalar> Flights<S> {
+impl<S: Kernel> Flights<S> {
     /// Takes a disc and what it meets after a delay to their impact and past
     /// it, at some turn, in one step. Gives the time.
     pub(super) fn leap(&mut self, disc: usize, feature: Feature, turn: u64) -> Option<S> {

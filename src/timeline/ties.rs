@@ -44,7 +44,7 @@ impl<S: Timed> Timeline<S> {
     }
 
     /// When a disc meets what.
-    fn meeting_of(&self, disc: usize) -> Option<(S, Feature)> {
+    fn meeting_of(&self, disc: usize) -> Option<(S::Time, Feature)> {
         let meeting = self.forecasts[disc].as_ref().and_then(Forecast::meeting)?;
         Some((meeting.time.clone(), meeting.feature))
     }

@@ -8,12 +8,13 @@ use super::{Corner, World};
 use crate::body::{Disc, End, Mass, Wall};
 use crate::contacts::Contacts;
 use crate::detect::Segment;
+use crate::kernel::Kernel;
 use crate::respond::Restitution;
-use crate::scalar::{Interval, Number, Scalar};
+use crate::scalar::{Interval, Number};
 use crate::scene::{self, Scene};
 use crate::vec2::Vec2;
 
-impl<S: Scalar> World<S> {
+impl<S: Kernel> World<S> {
     /// The bodies of a scene, each number rounded at most once.
     pub fn new(scene: &Scene, precision: S::Precision) -> Self {
         let number = |written: &Number| S::from_number(written, precision);
@@ -36,7 +37,7 @@ impl<S: Scalar> World<S> {
 
     /// The same bodies in another arithmetic, each number made from its
     /// counterpart. What touches by construction is left out.
-    pub(crate) fn rebuilt<T: Scalar>(&self, make: impl Fn(&S) -> T) -> World<T> {
+    pub(crate) fn rebuilt<T: Kernel>(&self, make: impl Fn(&S) -> T) -> World<T> {
         let wall = |wall: &Wall<S>| {
             let Segment {
                 from, to, along, ..
@@ -114,7 +115,7 @@ fn make_disc<S>(disc: &scene::Disc, number: impl Fn(&Number) -> S) -> Disc<S> {
     }
 }
 
-fn make_wall<S: Scalar>(
+fn make_wall<S: Kernel>(
     wall: &scene::Wall,
     corners: [u32; 2],
     number: impl Fn(&Number) -> S,
@@ -127,14 +128,14 @@ fn make_wall<S: Scalar>(
     }
 }
 
-fn hull_of_wall<S: Scalar>(wall: &Wall<S>) -> Wall<Interval> {
+fn hull_of_wall<S: Kernel>(wall: &Wall<S>) -> Wall<Interval> {
     Wall {
         segment: wall.segment.map(S::hull),
         corners: wall.corners,
     }
 }
 
-fn make_restitution<S: Scalar>(
+fn make_restitution<S: Kernel>(
     written: &scene::Restitution,
     number: impl Fn(&Number) -> S,
 ) -> Restitution<S> {

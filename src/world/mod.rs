@@ -3,11 +3,13 @@
 mod build;
 mod touch;
 
+use std::cmp::Ordering::Equal;
+
 use crate::body::{BodyId, Disc, End, Feature, Mass, Pair, Wall};
 use crate::contacts::Contacts;
-use crate::detect::{Encounter, Segment, meet_circle, meet_segment};
+use crate::detect::Segment;
+use crate::kernel::{Flight, Kernel, Met, Time};
 use crate::respond::Restitution;
-use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 
 /// A point where walls end.
@@ -61,7 +63,7 @@ pub struct World<S> {
     pub contacts: Contacts,
 }
 
-impl<S: Scalar> World<S> {
+impl<S: Kernel> World<S> {
     /// Whether a disc cannot meet an obstacle in free motion: it is the disc
     /// itself, or the two have parted and not collided since, or none of them
     /// can be deflected.
@@ -146,57 +148,48 @@ impl<S: Scalar> World<S> {
         discs.chain(walls).chain(self.restitution.numbers())
     }
 
-    /// Moves a disc freely for a time.
-    pub(crate) fn advance_disc(&mut self, disc: usize, time: &S) {
-        if time.is_surely_zero() {
+    /// Moves a disc freely from one time to another.
+    pub(crate) fn advance_disc(&mut self, disc: usize, since: &S, time: &S::Time) {
+        if matches!(time.order_to(since), Ok(Equal)) {
             return;
         }
-        self.discs[disc].advance(time);
+        self.discs[disc].position = self.position_at(disc, since, time);
         if !self.contacts.of(disc).is_empty() {
             let velocity = self.discs[disc].velocity.clone();
             self.leave_contacts(disc, &velocity);
         }
     }
 
+    /// Where a disc that is in flight since some time is at another.
+    #[inline]
+    pub(crate) fn position_at(&self, disc: usize, since: &S, time: &S::Time) -> Vec2<S> {
+        let disc = &self.discs[disc];
+        S::position_at(Flight { disc, since }, time)
+    }
+
     /// Moves all discs freely for a time.
     pub(crate) fn advance(&mut self, time: &S) {
+        let (start, time) = (S::from_integer(0), S::Time::at(time.clone()));
         for disc in 0..self.discs.len() {
-            self.advance_disc(disc, time);
+            self.advance_disc(disc, &start, &time);
         }
     }
 
-    /// When the discs i and j meet, from relative position and velocity.
+    /// When a disc in flight since a time meets a wall.
     ///
     /// # Errors
     ///
     /// An enclosure does not decide it.
-    #[inline]
-    pub fn meet_discs(
+    pub fn meet_wall(
         &self,
-        (i, j): (usize, usize),
-        offset: &Vec2<S>,
-        velocity: &Vec2<S>,
-    ) -> Result<Option<Encounter<S>>, S::Doubt> {
-        let reach = self.discs[i].radius.clone() + &self.discs[j].radius;
-        meet_circle(offset, velocity, &reach)
-    }
-
-    /// When a disc meets a wall, from where the disc is.
-    ///
-    /// # Errors
-    ///
-    /// An enclosure does not decide it.
-    pub fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Encounter<S>>, S::Doubt> {
-        let Disc {
-            position,
-            velocity,
-            radius,
-            last,
-            ..
-        } = &self.discs[disc];
+        disc: usize,
+        since: &S,
+        wall: usize,
+    ) -> Result<Option<Met<S::Time>>, S::Doubt> {
+        let disc = &self.discs[disc];
         let wall = &self.walls[wall];
-        let barred = |end| self.is_end_of(*last, wall.corner(end));
-        meet_segment(position, velocity, radius, &wall.segment, barred)
+        let barred = |end| self.is_end_of(disc.last, wall.corner(end));
+        S::meet_wall(Flight { disc, since }, &wall.segment, barred)
     }
 
     /// Whether a corner belongs to what a disc has parted from.

@@ -1,14 +1,15 @@
 //! What touches and what overlaps.
 
-use std::cmp::Ordering::{self, Greater};
+use std::cmp::Ordering;
 
 use super::{Obstacle, World};
-use crate::body::{Disc, Feature};
-use crate::detect::{Overlap, overlap_circle, overlap_segment};
-use crate::scalar::{Doubt, Scalar};
+use crate::body::Feature;
+use crate::detect::Overlap;
+use crate::kernel::Kernel;
+use crate::scalar::Doubt;
 use crate::vec2::Vec2;
 
-impl<S: Scalar> World<S> {
+impl<S: Kernel> World<S> {
     /// How many pairs overlap.
     ///
     /// # Errors
@@ -49,15 +50,12 @@ impl<S: Scalar> World<S> {
         let body = &self.discs[disc];
         match obstacle {
             Obstacle::Disc(other) => {
-                let second = &self.discs[other];
-                let offset = second.position.minus(&body.position);
-                let reach = body.radius.clone() + &second.radius;
-                let overlap = overlap_circle(&offset, &reach)?;
+                let overlap = S::overlap_discs(body, &self.discs[other])?;
                 Ok(overlap.map(|overlap| (Feature::Disc(other as u32), overlap)))
             }
             Obstacle::Wall(wall) => {
                 let segment = &self.walls[wall].segment;
-                let overlap = overlap_segment(&body.position, &body.radius, segment)?;
+                let overlap = S::overlap_wall(body, segment)?;
                 Ok(overlap.map(|overlap| (self.feature(wall, overlap.end), overlap)))
             }
         }
@@ -82,24 +80,17 @@ impl<S: Scalar> World<S> {
         feature: Feature,
         other: &Vec2<S>,
     ) -> Result<bool, S::Doubt> {
-        let Disc {
-            position, velocity, ..
-        } = &self.discs[disc];
-        let closing = match feature {
-            Feature::Wall(wall) => {
-                let segment = &self.walls[wall as usize].segment;
-                return segment.is_approached(position, velocity);
-            }
+        let disc = &self.discs[disc];
+        match feature {
+            Feature::Wall(wall) => S::approaches_wall(disc, &self.walls[wall as usize].segment),
             Feature::Corner(corner) => {
-                let offset = self.corner_position(corner).minus(position);
-                velocity.dot(&offset)
+                S::approaches_point(disc, self.corner_position(corner), &Vec2::zero())
             }
             Feature::Disc(index) => {
-                let closing = velocity.minus(&self.discs[index as usize].velocity);
-                closing.dot(&other.minus(position))
+                let velocity = &self.discs[index as usize].velocity;
+                S::approaches_point(disc, other, velocity)
             }
-        };
-        Ok(closing.sign()? == Greater)
+        }
     }
 
     /// Whether a disc moves towards a feature that it touches where all are.

@@ -155,11 +155,14 @@ fn bad_usage_is_refused() {
 }
 
 #[test]
-fn filtered_arithmetic_is_not_there_yet() {
+fn arithmetics_have_names() {
     let name = scene("figure-7.json");
-    let (code, message) = ending(&["run", &name, "--arithmetic", "filtered"]);
+    let (code, message) = ending(&["run", &name, "--arithmetic", "f32"]);
     assert_eq!(code, 2);
-    assert!(message.contains("not in this version"), "{message}");
+    assert!(
+        message.contains("expected f64, filtered or exact"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::time::Duration;
 use carom::arithmetic::{Arithmetic, Budget};
 use carom::frame::Passes;
 use carom::judge::{Judged, judge};
-use carom::scalar::Exact;
+use carom::scalar::{Exact, Filtered};
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
@@ -61,6 +61,7 @@ impl Candidate {
     pub(super) fn check(&self, scene: &Scene) -> Result<(), Unsupported> {
         match self.arithmetic {
             ArithmeticName::Binary64 => check_support::<f64>(scene),
+            ArithmeticName::Filtered => check_support::<Filtered>(scene),
             ArithmeticName::Exact => check_support::<Exact>(scene),
         }
     }
@@ -68,20 +69,25 @@ impl Candidate {
     pub(super) fn judge(&self, scene: &Scene, budget: &Budget) -> Result<Judged, Unsupported> {
         match self.arithmetic {
             ArithmeticName::Binary64 => judge::<f64>(scene, self.algorithm, budget),
+            ArithmeticName::Filtered => judge::<Filtered>(scene, self.algorithm, budget),
             ArithmeticName::Exact => judge::<Exact>(scene, self.algorithm, budget),
         }
     }
 
-    /// What the whole run takes while nothing else runs: of a binary64
-    /// candidate, which is soon done.
+    /// What the whole run takes while nothing else runs: of a candidate
+    /// whose numbers are binary64, which is soon done.
     pub(super) fn cost_alone(&self, scene: &Scene) -> Option<Duration> {
-        let is_fast = self.arithmetic == ArithmeticName::Binary64;
-        is_fast.then(|| median_cost(scene, self.algorithm))
+        match self.arithmetic {
+            ArithmeticName::Binary64 => Some(median_cost::<f64>(scene, self.algorithm)),
+            ArithmeticName::Filtered => Some(median_cost::<Filtered>(scene, self.algorithm)),
+            ArithmeticName::Exact => None,
+        }
     }
 
     pub(super) fn arithmetic_name(&self) -> &'static str {
         match self.arithmetic {
             ArithmeticName::Binary64 => f64::NAME,
+            ArithmeticName::Filtered => Filtered::NAME,
             ArithmeticName::Exact => Exact::NAME,
         }
     }

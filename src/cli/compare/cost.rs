@@ -1,7 +1,9 @@
 //! How long a binary64 run takes.
 
+use std::convert::Infallible;
 use std::time::{Duration, Instant};
 
+use carom::arithmetic::Arithmetic;
 use carom::scene::Scene;
 use carom::simulation::{Algorithm, Simulation};
 
@@ -12,19 +14,25 @@ const ENOUGH_TIME: Duration = Duration::from_millis(500);
 const ENOUGH_RUNS: usize = 25;
 
 /// The median of the times that runs of all frames take.
-pub(super) fn median_cost(scene: &Scene, algorithm: Algorithm) -> Duration {
+pub(super) fn median_cost<S: Arithmetic<Precision = (), Doubt = Infallible>>(
+    scene: &Scene,
+    algorithm: Algorithm,
+) -> Duration {
     let begun = Instant::now();
     let mut costs = Vec::new();
     while costs.is_empty() || costs.len() < ENOUGH_RUNS && begun.elapsed() < ENOUGH_TIME {
-        costs.push(cost(scene, algorithm));
+        costs.push(cost::<S>(scene, algorithm));
     }
     costs.sort();
     costs[costs.len() / 2]
 }
 
-fn cost(scene: &Scene, algorithm: Algorithm) -> Duration {
+fn cost<S: Arithmetic<Precision = (), Doubt = Infallible>>(
+    scene: &Scene,
+    algorithm: Algorithm,
+) -> Duration {
     let begun = Instant::now();
-    let Ok(mut simulation) = Simulation::<f64>::new(scene, algorithm, ());
+    let Ok(mut simulation) = Simulation::<S>::new(scene, algorithm, ());
     for _ in 0..scene.frame().count {
         let Ok(_impacts) = simulation.next_frame();
     }

@@ -73,7 +73,7 @@ pub(super) struct Arguments {
         long,
         value_name = "N",
         value_delimiter = ',',
-        default_value = "f64,exact"
+        default_value = "f64,filtered,exact"
     )]
     arithmetics: Vec<ArithmeticName>,
     #[command(flatten)]

@@ -15,6 +15,7 @@ use std::cmp::Ordering::{Greater, Less};
 
 use super::trio::{Side, Trio};
 use crate::body::{BodyId, Mass};
+use crate::kernel::Kernel;
 use crate::scalar::{Interval, Scalar};
 use crate::timeline::{Timed, Timeline};
 use crate::vec2::Vec2;
@@ -72,7 +73,7 @@ impl<S: Timed> Timeline<S> {
     }
 }
 
-impl<S: Scalar> Trio<S> {
+impl<S: Kernel> Trio<S> {
     /// Its discs that collisions deflect.
     fn moved(&self) -> impl Iterator<Item = usize> {
         let sides = self.sides.iter().filter_map(|side| match side {
@@ -121,7 +122,7 @@ pub(super) fn is_apart(
 }
 
 /// Whether the middle disc stays between the ends of the walls that it hits.
-fn stays_at_walls<S: Scalar>(world: &World<Interval>, trio: &Trio<S>) -> bool {
+fn stays_at_walls<S: Kernel>(world: &World<Interval>, trio: &Trio<S>) -> bool {
     trio.sides.iter().all(|side| match side.body {
         BodyId::Disc(_) => true,
         BodyId::Wall(wall) => {

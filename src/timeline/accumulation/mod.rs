@@ -28,8 +28,8 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use super::{Timed, Timeline};
 use crate::body::{BodyId, Pair};
 use crate::impact::Impact;
+use crate::kernel::Kernel;
 use crate::respond::Restitution;
-use crate::scalar::Scalar;
 use crate::world::World;
 use repetition::Repetition;
 use trio::Fate;
@@ -87,7 +87,7 @@ impl Partners {
     }
 }
 
-impl<S: Scalar> Watch<S> {
+impl<S: Kernel> Watch<S> {
     /// A watch over a world's run, if it takes one.
     pub(super) fn over(world: &World<S>, until: &S) -> Option<Self> {
         can_accumulate(world).then(|| Self {
@@ -129,7 +129,7 @@ impl<S: Scalar> Watch<S> {
 /// do if slow impacts are elastic: each other impact takes at least some fixed
 /// part of the energy. Neither holds where a body of infinite mass moves, for
 /// that gives energy without end.
-fn can_accumulate<S: Scalar>(world: &World<S>) -> bool {
+fn can_accumulate<S: Kernel>(world: &World<S>) -> bool {
     let loses = |kept: &S| !matches!(kept.compare(&S::from_integer(1)), Ok(Equal | Greater));
     let lossy = match &world.restitution {
         Restitution::Elastic => false,
@@ -209,7 +209,7 @@ impl<S: Timed> Timeline<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{Exact, Number};
+    use crate::scalar::{Exact, Number, Scalar};
     use crate::scene::{Disc, Restitution, Scene, SceneBuilder};
 
     fn is_watched(scene: SceneBuilder) -> bool {

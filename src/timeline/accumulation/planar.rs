@@ -35,6 +35,7 @@ use std::cmp::Ordering::Greater;
 
 use super::Accumulation;
 use crate::body::{BodyId, Disc, Mass, Pair};
+use crate::kernel::Kernel;
 use crate::respond::Restitution;
 use crate::scalar::{Interval, Scalar};
 use crate::timeline::{Timed, Timeline};
@@ -167,7 +168,7 @@ fn pair(one: usize, other: usize) -> Pair {
 }
 
 /// A power of two that is not below a positive number, exactly.
-fn from_f64<S: Scalar>(number: f64) -> S {
+fn from_f64<S: Kernel>(number: f64) -> S {
     let two = S::from_integer(2);
     let mut power = S::from_integer(1);
     let mut size = 1.0;
@@ -182,7 +183,7 @@ fn from_f64<S: Scalar>(number: f64) -> S {
     power
 }
 
-impl<S: Scalar> Three<S> {
+impl<S: Kernel> Three<S> {
     fn motion(&self) -> Motion {
         let [middle, a, b] = &self.discs;
         let masses = self.masses.each_ref().map(S::hull);

@@ -13,7 +13,7 @@ use std::collections::VecDeque;
 use super::Accumulation;
 use crate::body::Pair;
 use crate::impact::Impact;
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 
 /// The longest word that is looked for.
 const LONGEST: usize = 12;
@@ -40,7 +40,7 @@ pub(super) struct Repetition<S> {
     negligible: f64,
 }
 
-impl<S: Scalar> Repetition<S> {
+impl<S: Kernel> Repetition<S> {
     /// For a run of some duration.
     pub(super) fn within(duration: &S) -> Self {
         Self {

@@ -48,8 +48,8 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::Accumulation;
 use crate::body::{BodyId, Disc, Mass, Pair};
+use crate::kernel::Kernel;
 use crate::respond::{Restitution, Share, shares};
-use crate::scalar::Scalar;
 use crate::timeline::flight::Flights;
 use crate::vec2::Vec2;
 
@@ -93,7 +93,7 @@ pub(super) struct Side<S> {
 
 /// What becomes of a disc that at `now` has hit the first of two bodies, and
 /// before that the other.
-pub(super) fn fate<S: Scalar>(
+pub(super) fn fate<S: Kernel>(
     flights: &Flights<S>,
     now: &S,
     middle: usize,
@@ -117,7 +117,7 @@ pub(super) fn fate<S: Scalar>(
     }
 }
 
-impl<S: Scalar> Trio<S> {
+impl<S: Kernel> Trio<S> {
     pub(super) fn accumulation(&self, proven: bool) -> Accumulation<S> {
         let middle = BodyId::Disc(self.middle as u32);
         let [latest, other] = &self.sides;
@@ -133,7 +133,7 @@ impl<S: Scalar> Trio<S> {
 }
 
 /// The time until the limit, if there is one.
-fn time_left<S: Scalar>(trio: &Trio<S>, velocity: &Vec2<S>) -> Result<Option<S>, S::Doubt> {
+fn time_left<S: Kernel>(trio: &Trio<S>, velocity: &Vec2<S>) -> Result<Option<S>, S::Doubt> {
     let [a, b] = &trio.sides;
     let speed = |side: &Side<S>| side.velocity.minus(velocity).dot(&trio.unit);
     let (opening, approach) = (speed(a), speed(b));
@@ -159,7 +159,7 @@ struct Setting<'a, S> {
     middle: Disc<S>,
 }
 
-impl<S: Scalar> Setting<'_, S> {
+impl<S: Kernel> Setting<'_, S> {
     /// The three, if they are proven to be and to move on a line.
     fn line_up(&self, middle: usize, [a, b]: [BodyId; 2]) -> Option<Trio<S>> {
         let towards = self.offset(a);
@@ -294,6 +294,6 @@ impl<S: Scalar> Setting<'_, S> {
     }
 }
 
-fn is_zero<S: Scalar>(number: &S) -> bool {
+fn is_zero<S: Kernel>(number: &S) -> bool {
     matches!(number.sign(), Ok(Equal))
 }

@@ -10,7 +10,7 @@
 //! 2. **algebra**: the causal cone of the question is computed again in
 //!    [`Expression`](crate::algebra::Expression)s, by the same code, and they decide.
 //!
-//! What neither settles stays in doubt. Binary64 decides everything itself.
+//! What neither settles stays in doubt. Binary64 decides everything itself, filtered or not.
 
 mod algebra;
 mod history;
@@ -22,18 +22,23 @@ use std::fmt::Debug;
 
 use super::flight::{Flights, Meeting};
 use crate::body::Feature;
-use crate::scalar::{Exact, Scalar};
+use crate::kernel::Kernel;
+use crate::scalar::{Exact, Filtered};
 use crate::symmetry::Symmetry;
 use crate::world::{Obstacle, World};
 pub(super) use algebra::Algebra;
 
 /// Numbers that a timeline can be computed with.
-pub trait Timed: Scalar {
+pub trait Timed: Kernel {
     /// Who decides what the numbers themselves do not.
     type Arbiter: Arbiter<Self>;
 }
 
 impl Timed for f64 {
+    type Arbiter = Nobody;
+}
+
+impl Timed for Filtered {
     type Arbiter = Nobody;
 }
 
@@ -68,14 +73,14 @@ impl Foreseen {
     }
 
     /// What a disc meets.
-    pub(super) fn meeting<S>(disc: usize, meeting: &Meeting<S>) -> Self {
+    pub(super) fn meeting<S: Kernel>(disc: usize, meeting: &Meeting<S>) -> Self {
         Self::new(disc, meeting.feature, meeting.moment)
     }
 }
 
 /// Who is asked when a decision is in doubt: it decides, or hands back the
 /// doubt.
-pub trait Arbiter<S: Scalar>: Clone + Debug + Send + Sync {
+pub trait Arbiter<S: Kernel>: Clone + Debug + Send + Sync {
     /// The arbiter of a world at its start, and of the symmetries that it has.
     fn new(world: &World<S>, symmetries: &[Symmetry]) -> Self;
 
@@ -144,7 +149,7 @@ pub trait Arbiter<S: Scalar>: Clone + Debug + Send + Sync {
 #[derive(Clone, Debug)]
 pub struct Nobody;
 
-impl<S: Scalar> Arbiter<S> for Nobody {
+impl<S: Kernel> Arbiter<S> for Nobody {
     fn new(_: &World<S>, _: &[Symmetry]) -> Self {
         Self
     }

@@ -1,0 +1,330 @@
+//! How an arithmetic takes the decisions that collisions consist of.
+//!
+//! Most compute: the formulas of [`detect`](crate::detect) and
+//! [`respond`](crate::respond), one operation after the other. That is what the
+//! methods of [`Kernel`] do unless an arithmetic has its own. One that stores
+//! rounded numbers and yet decides exactly has: it takes each decision as a
+//! whole, from the numbers that it stores.
+//!
+//! The time of a meeting need not be such a number: it is a [`Time`]. (The
+//! pattern is that of the kernels of CGAL, the Computational Geometry Algorithms
+//! Library.)
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+use std::fmt::Debug;
+
+use crate::algebra::Expression;
+use crate::body::Disc;
+use crate::detect::{
+    Encounter, End, Overlap, Segment, meet_circle, meet_segment, overlap_circle, overlap_segment,
+};
+use crate::respond::{self, Normal, Restitution};
+use crate::scalar::{Exact, Interval, Scalar};
+use crate::vec2::Vec2;
+
+/// A time at which bodies meet.
+pub trait Time<S: Scalar>: Clone + Debug + Send + Sync + 'static {
+    /// A time that is known as a number.
+    fn at(time: S) -> Self;
+
+    /// The time that is a delay later than another.
+    fn after(since: &S, delay: S) -> Self;
+
+    /// The order of two times.
+    fn order(&self, other: &Self) -> Result<Ordering, S::Doubt>;
+
+    /// Which comes first, this or a time that is known as a number.
+    fn order_to(&self, time: &S) -> Result<Ordering, S::Doubt>;
+
+    /// The order of this, as a delay, against what is left from `begun` to
+    /// `end`.
+    fn order_to_rest(&self, end: &S, begun: &S) -> Result<Ordering, S::Doubt>;
+
+    /// Binary64 bounds.
+    fn bounds(&self) -> Interval;
+
+    /// The time as a number, rounded at most once.
+    fn value(&self) -> S;
+
+    /// The time that is this, as a delay, later than another; as a number,
+    /// rounded at most once.
+    fn value_after(&self, since: &S) -> S;
+
+    /// Lifts a computed time to `floor` where rounding alone put it before.
+    #[must_use]
+    fn not_before(self, floor: &S) -> Self;
+}
+
+/// A number may be its own kind of time.
+impl<S: Scalar> Time<S> for S {
+    #[inline]
+    fn at(time: S) -> Self {
+        time
+    }
+
+    #[inline]
+    fn after(since: &S, delay: S) -> Self {
+        since.clone() + delay
+    }
+
+    #[inline]
+    fn order(&self, other: &Self) -> Result<Ordering, S::Doubt> {
+        self.compare(other)
+    }
+
+    #[inline]
+    fn order_to(&self, time: &S) -> Result<Ordering, S::Doubt> {
+        self.compare(time)
+    }
+
+    #[inline]
+    fn order_to_rest(&self, end: &S, begun: &S) -> Result<Ordering, S::Doubt> {
+        self.compare(&(end.clone() - begun))
+    }
+
+    #[inline]
+    fn bounds(&self) -> Interval {
+        self.hull()
+    }
+
+    #[inline]
+    fn value(&self) -> S {
+        self.clone()
+    }
+
+    #[inline]
+    fn value_after(&self, since: &S) -> S {
+        since.clone() + self
+    }
+
+    #[inline]
+    fn not_before(self, floor: &S) -> Self {
+        Scalar::not_before(self, floor)
+    }
+}
+
+/// A disc, and the time at which it is where it says.
+#[derive(Debug)]
+pub struct Flight<'a, S> {
+    /// The disc.
+    pub disc: &'a Disc<S>,
+    /// The time.
+    pub since: &'a S,
+}
+
+impl<S> Clone for Flight<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S> Copy for Flight<'_, S> {}
+
+/// Two discs in flight.
+#[derive(Debug)]
+pub struct Approach<'a, S> {
+    /// The disc that is known since the earlier time.
+    pub early: Flight<'a, S>,
+    /// The disc that is known since the later one.
+    pub late: Flight<'a, S>,
+    /// Whether the two times are known to be one.
+    pub together: bool,
+}
+
+impl<S: Scalar> Approach<'_, S> {
+    /// Where the later disc is, seen from the earlier one, at the later time.
+    #[inline]
+    pub fn offset(&self) -> Vec2<S> {
+        let (early, late) = (self.early.disc, self.late.disc);
+        if self.together {
+            return late.position.minus(&early.position);
+        }
+        let wait = self.late.since.clone() - self.early.since;
+        let start = early.position.moved(&early.velocity, &wait);
+        late.position.minus(&start)
+    }
+
+    /// The sum of the radii.
+    #[inline]
+    pub fn reach(&self) -> S {
+        self.early.disc.radius.clone() + &self.late.disc.radius
+    }
+}
+
+/// What a disc meets, and when.
+#[derive(Clone, Debug)]
+pub struct Met<T> {
+    /// The time.
+    pub time: T,
+    /// Whether the two only pass in tangency, so that nothing changes.
+    pub graze: bool,
+    /// Whether they touch or overlap already.
+    pub overlap: bool,
+    /// The wall's end point that is touched, unless its interior is.
+    pub end: Option<End>,
+}
+
+impl<T> Met<T> {
+    /// A meeting of bodies that touch and approach, at a time.
+    pub(crate) fn at_once<S: Scalar>(time: &S) -> Self
+    where
+        T: Time<S>,
+    {
+        Self {
+            time: T::at(time.clone()),
+            graze: false,
+            overlap: true,
+            end: None,
+        }
+    }
+
+    /// What an encounter amounts to, seen from a time.
+    #[inline]
+    fn after<S: Scalar>(since: &S, encounter: Encounter<S>) -> Self
+    where
+        T: Time<S>,
+    {
+        Self {
+            time: T::after(since, encounter.delay),
+            graze: encounter.graze,
+            overlap: encounter.overlap,
+            end: encounter.end,
+        }
+    }
+}
+
+/// A number type, and how bodies whose numbers it holds collide.
+///
+/// The errors of all methods are open decisions.
+pub trait Kernel: Scalar {
+    /// A time at which bodies meet.
+    type Time: Time<Self>;
+
+    /// When two discs meet, at least one of which can be deflected.
+    #[inline]
+    fn meet_discs(approach: &Approach<'_, Self>) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
+        let velocity = approach
+            .late
+            .disc
+            .velocity
+            .minus(&approach.early.disc.velocity);
+        let met = meet_circle(&approach.offset(), &velocity, &approach.reach())?;
+        Ok(met.map(|encounter| Met::after(approach.late.since, encounter)))
+    }
+
+    /// When a disc meets a wall. The end points for which `barred` holds are
+    /// known not to be met.
+    #[inline]
+    fn meet_wall(
+        flight: Flight<'_, Self>,
+        wall: &Segment<Self>,
+        barred: impl Fn(End) -> bool,
+    ) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
+        let Disc {
+            position,
+            velocity,
+            radius,
+            ..
+        } = flight.disc;
+        let met = meet_segment(position, velocity, radius, wall, barred)?;
+        Ok(met.map(|encounter| Met::after(flight.since, encounter)))
+    }
+
+    /// Where a disc is at a time, if nothing changes its motion.
+    #[inline]
+    fn position_at(flight: Flight<'_, Self>, time: &Self::Time) -> Vec2<Self> {
+        let flown = time.value() - flight.since;
+        flight.disc.position.moved(&flight.disc.velocity, &flown)
+    }
+
+    /// The overlap of two discs, if there is one.
+    fn overlap_discs(
+        first: &Disc<Self>,
+        second: &Disc<Self>,
+    ) -> Result<Option<Overlap<Self>>, Self::Doubt> {
+        let offset = second.position.minus(&first.position);
+        let reach = first.radius.clone() + &second.radius;
+        overlap_circle(&offset, &reach)
+    }
+
+    /// The overlap of a disc and a wall, if there is one.
+    fn overlap_wall(
+        disc: &Disc<Self>,
+        wall: &Segment<Self>,
+    ) -> Result<Option<Overlap<Self>>, Self::Doubt> {
+        overlap_segment(&disc.position, &disc.radius, wall)
+    }
+
+    /// Whether a disc moves towards a point that moves.
+    fn approaches_point(
+        disc: &Disc<Self>,
+        point: &Vec2<Self>,
+        velocity: &Vec2<Self>,
+    ) -> Result<bool, Self::Doubt> {
+        let closing = disc.velocity.minus(velocity);
+        let offset = point.minus(&disc.position);
+        Ok(closing.dot(&offset).sign()? == Greater)
+    }
+
+    /// Whether a disc moves towards a wall's line.
+    fn approaches_wall(disc: &Disc<Self>, wall: &Segment<Self>) -> Result<bool, Self::Doubt> {
+        let side = disc.position.minus(&wall.from).cross(&wall.along);
+        let drift = disc.velocity.cross(&wall.along);
+        Ok(match side.sign()? {
+            Equal => false,
+            Less => drift.sign()? == Greater,
+            Greater => drift.sign()? == Less,
+        })
+    }
+
+    /// Resolves the impact of two discs whose centres are at these places, on a
+    /// normal that goes from the first to the second one.
+    fn collide_discs(
+        [first, second]: [&mut Disc<Self>; 2],
+        centres: [&Vec2<Self>; 2],
+        normal: &Normal<Self>,
+        restitution: &Restitution<Self>,
+    ) -> Result<(), Self::Doubt> {
+        let _ = centres;
+        respond::collide_discs(first, second, normal, restitution)
+    }
+
+    /// Resolves the impact of a disc, whose centre is at the first of two
+    /// places, on a point at the second one.
+    fn collide_point(
+        disc: &mut Disc<Self>,
+        places: [&Vec2<Self>; 2],
+        normal: &Normal<Self>,
+        restitution: &Restitution<Self>,
+    ) -> Result<(), Self::Doubt> {
+        let _ = places;
+        respond::collide_wall(disc, normal, restitution)
+    }
+
+    /// Resolves the impact of a disc on the interior of a wall.
+    fn collide_wall(
+        disc: &mut Disc<Self>,
+        wall: &Segment<Self>,
+        normal: &Normal<Self>,
+        restitution: &Restitution<Self>,
+    ) -> Result<(), Self::Doubt> {
+        let _ = wall;
+        respond::collide_wall(disc, normal, restitution)
+    }
+}
+
+impl Kernel for f64 {
+    type Time = Self;
+}
+
+impl Kernel for Interval {
+    type Time = Self;
+}
+
+impl Kernel for Exact {
+    type Time = Self;
+}
+
+impl Kernel for Expression {
+    type Time = Self;
+}
