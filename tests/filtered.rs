@@ -1,0 +1,89 @@
+//! Filtered arithmetic against its definition, and what follows from that.
+
+mod common;
+
+#[path = "filtered/fraction.rs"]
+mod fraction;
+#[path = "filtered/predicates.rs"]
+mod predicates;
+#[path = "filtered/reference.rs"]
+mod reference;
+
+use carom::run::{Options, Outcome};
+use carom::scalar::Filtered;
+use carom::scene::Scene;
+use carom::simulation::Algorithm;
+use common::strategy::{Masses, boxed, cases, cluster, lossy};
+use common::{attempt, name};
+use proptest::prelude::*;
+use reference::Reference;
+
+fn run(scene: &Scene, impacts: u64) -> Outcome<Filtered> {
+    let options = Options {
+        max_events: impacts,
+        contacts: true,
+        ..Options::default()
+    };
+    attempt(scene, Algorithm::Timeline, &options)
+}
+
+/// Asserts that a run is bit for bit that of the reference.
+fn assert_as_defined(scene: &Scene, impacts: u64) {
+    let outcome = run(scene, impacts);
+    let mut reference = Reference::new(scene);
+    for (number, impact) in outcome.impacts.iter().enumerate() {
+        let expected = reference.next().expect("as many impacts");
+        let found = (name(impact), impact.time.get());
+        assert_eq!(found, (expected.name, expected.time), "impact {number}");
+        let velocity = impact.contact.as_ref().unwrap().velocity;
+        let carom::body::BodyId::Disc(disc) = impact.pair.a else {
+            panic!("a disc comes first");
+        };
+        let stored = reference.bodies[disc as usize].speed;
+        assert_eq!(
+            [velocity.x.get(), velocity.y.get()],
+            stored,
+            "impact {number}"
+        );
+    }
+    if (outcome.impacts.len() as u64) < impacts {
+        assert!(reference.next().is_none(), "no more impacts");
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(24))]
+
+    /// Discs and oblique walls in a box, some of infinite mass.
+    #[test]
+    fn boxes(scene in boxed(Masses::Any)) {
+        assert_as_defined(&scene, 40);
+    }
+
+    /// The same with all kinds of restitution.
+    #[test]
+    fn losses(scene in lossy()) {
+        assert_as_defined(&scene, 40);
+    }
+
+    /// Discs that are close, overlapping or not.
+    #[test]
+    fn clusters(scene in cluster()) {
+        assert_as_defined(&scene, 40);
+    }
+}
+
+#[cfg(feature = "cli")]
+mod gases {
+    use carom::scene::generate::gas;
+
+    use super::*;
+
+    /// Numbers of which all 53 bits are random.
+    #[test]
+    fn follow_the_definition() {
+        for seed in 0..4 {
+            assert_as_defined(&gas(seed, 10, 0.4).unwrap(), 60);
+        }
+    }
+}
