@@ -86,4 +86,60 @@ mod gases {
             assert_as_defined(&gas(seed, 10, 0.4).unwrap(), 60);
         }
     }
+
+    const LONG: u64 = 10_000;
+
+    fn long() -> Scene {
+        let scene = gas(7, 20, 0.4).unwrap().to_builder();
+        scene.frame(1_000_000, 1).build().unwrap()
+    }
+
+    /// What the reference's run comes to: see below.
+    const HASH: u64 = 0;
+
+    /// All times, names and velocities of a run, by the hash of Fowler, Noll and
+    /// Vo (FNV-1a).
+    #[derive(Debug, PartialEq)]
+    struct Hash(u64);
+
+    impl Hash {
+        fn new() -> Self {
+            Self(0xcbf2_9ce4_8422_2325)
+        }
+
+        fn add(&mut self, name: &str, numbers: [f64; 3]) {
+            let numbers = numbers
+                .iter()
+                .flat_map(|number| number.to_bits().to_le_bytes());
+            for byte in name.bytes().chain(numbers) {
+                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+            }
+        }
+    }
+
+    #[test]
+    fn have_the_same_bits_everywhere() {
+        let mut hash = Hash::new();
+        for impact in run(&long(), LONG).impacts {
+            let [x, y] = impact.contact.as_ref().unwrap().velocity.into();
+            hash.add(&name(&impact), [impact.time, x, y].map(Filtered::get));
+        }
+        assert_eq!(hash, Hash(HASH));
+    }
+
+    /// `cargo test --release --test filtered -- --ignored`: some minutes of
+    /// fractions, to find the hash.
+    #[test]
+    #[ignore = "takes minutes: named above"]
+    fn of_the_reference_have_these_bits() {
+        let mut reference = Reference::new(&long());
+        let mut hash = Hash::new();
+        for _ in 0..LONG {
+            let hit = reference.next().expect("as many impacts");
+            let disc: usize = hit.name[1..].split(' ').next().unwrap().parse().unwrap();
+            let [x, y] = reference.bodies[disc].speed;
+            hash.add(&hit.name, [hit.time, x, y]);
+        }
+        assert_eq!(hash, Hash(HASH));
+    }
 }

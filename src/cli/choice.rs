@@ -7,7 +7,7 @@ use carom::arithmetic::{Arithmetic as _, Budget};
 use carom::frame::Passes;
 use carom::scalar::{Exact, Filtered};
 use carom::simulation::Algorithm;
-use carom::timeline::Simultaneous;
+use carom::timeline::{BroadPhase, Simultaneous};
 use clap::{Args, ValueEnum};
 
 use super::error::Error;
@@ -131,6 +131,24 @@ impl Rule {
         match self {
             Self::Sequential => Simultaneous::Sequential,
             Self::Reflect => Simultaneous::Reflect,
+        }
+    }
+}
+
+/// A way to find what a disc may meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Phase {
+    /// All bodies are looked at.
+    AllPairs,
+    /// Those in the cells of a grid about it.
+    Grid,
+}
+
+impl Phase {
+    pub(super) fn broad_phase(self) -> BroadPhase {
+        match self {
+            Self::AllPairs => BroadPhase::AllPairs,
+            Self::Grid => BroadPhase::Grid,
         }
     }
 }

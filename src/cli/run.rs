@@ -11,7 +11,7 @@ use carom::scene::Scene;
 use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
 
-use super::choice::{AlgorithmArguments, ArithmeticName, BudgetArguments, Rule};
+use super::choice::{AlgorithmArguments, ArithmeticName, BudgetArguments, Phase, Rule};
 use super::error::{self, Error};
 use super::exit::Exit;
 use super::interrupt;
@@ -70,6 +70,10 @@ pub(super) struct Arguments {
     /// pair at a time, or all at once [default: sequential].
     #[arg(long, value_name = "RULE", value_enum)]
     simultaneous: Option<Rule>,
+    /// How the timeline finds what a disc may meet; the log is the same
+    /// [default: grid].
+    #[arg(long, value_name = "PHASE", value_enum)]
+    broad_phase: Option<Phase>,
     /// Log the contact point, the normal and the velocities after.
     #[arg(long)]
     contact: bool,
@@ -135,6 +139,7 @@ impl Arguments {
                 .simultaneous
                 .map(Rule::simultaneous)
                 .unwrap_or_default(),
+            broad_phase: self.broad_phase.map(Phase::broad_phase).unwrap_or_default(),
         }
     }
 
@@ -151,13 +156,17 @@ impl Arguments {
         }
     }
 
-    /// Only the timeline has simultaneous impacts.
+    /// Some options belong to the timeline alone.
     fn check_rule(&self, algorithm: Algorithm) -> Result<(), Error> {
-        match (self.simultaneous, algorithm) {
-            (None, _) | (_, Algorithm::Timeline) => Ok(()),
-            (Some(_), other) => Err(Error::Usage(format!(
-                "--simultaneous: not an option of the algorithm {other}"
+        let options = [
+            ("--simultaneous", self.simultaneous.is_some()),
+            ("--broad-phase", self.broad_phase.is_some()),
+        ];
+        match options.into_iter().find(|(_, is_given)| *is_given) {
+            Some((option, _)) if algorithm != Algorithm::Timeline => Err(Error::Usage(format!(
+                "{option}: not an option of the algorithm {algorithm}"
             ))),
+            _ => Ok(()),
         }
     }
 

@@ -6,7 +6,7 @@
 //! change, have no say (D9). Losers get no second choice in the pass (P3.3,
 //! D7).
 
-use std::cmp::Ordering::{self, Equal, Greater, Less};
+use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::Frame;
 use super::bounded::Bounded;
@@ -275,23 +275,18 @@ impl<'a, S: Kernel> Passing<'a, S> {
         let Feature::Disc(other) = collision.feature else {
             return false;
         };
-        let rests = [collision.disc, other as usize].map(|disc| self.rests_forever(disc));
+        let rests =
+            [collision.disc, other as usize].map(|disc| self.bodies.world.rests_for_ever(disc));
         rests == [false, false] && !collision.same_time
     }
 
     /// Whether the two stay where they touch until one moves on.
     fn is_lasting(&self, collision: &Collision<S>) -> bool {
-        let passes_by = |disc| !self.is_movable(disc) && !self.rests_forever(disc);
+        let passes_by = |disc| !self.is_movable(disc) && !self.bodies.world.rests_for_ever(disc);
         let other = match collision.feature {
             Feature::Disc(other) => Some(other as usize),
             Feature::Wall(_) | Feature::Corner(_) => None,
         };
         !passes_by(collision.disc) && !other.is_some_and(passes_by)
-    }
-
-    fn rests_forever(&self, disc: usize) -> bool {
-        let velocity = &self.bodies.world.discs[disc].velocity;
-        let still = || velocity.norm_squared().sign().is_ok_and(Ordering::is_eq);
-        !self.is_movable(disc) && still()
     }
 }

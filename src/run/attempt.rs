@@ -12,7 +12,7 @@ use crate::scalar::{Doubt, Scalar, Undecided};
 use crate::scene::Scene;
 use crate::simulation::{Algorithm, FrameClock, Simulation};
 use crate::symmetry::Symmetry;
-use crate::timeline::Timeline;
+use crate::timeline::{Setup, Timeline};
 use crate::world::World;
 
 /// What an attempt has and has got so far.
@@ -81,12 +81,20 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         outcome
     }
 
+    fn setup(&self) -> Setup<'a> {
+        Setup {
+            simultaneous: self.options.simultaneous,
+            broad_phase: self.options.broad_phase,
+            symmetries: self.symmetries,
+        }
+    }
+
     /// Follows the timeline to the end.
     fn follow(&mut self, world: World<S>) -> Ran<S> {
         let end = S::from_rational(self.end.clone(), self.precision);
         let start = world.discs.clone();
-        let mut timeline = match Timeline::with_symmetries(world, &end, self.symmetries) {
-            Ok(timeline) => timeline.with_rule(self.options.simultaneous),
+        let mut timeline = match Timeline::with_setup(world, &end, &self.setup()) {
+            Ok(timeline) => timeline,
             Err(doubt) => return Ran::stuck(doubt, start),
         };
         let status = self.follow_impacts(&mut timeline, &end);

@@ -17,7 +17,7 @@ use crate::scene::Scene;
 use crate::simulation::Algorithm;
 use crate::support::{Unsupported, check_number, check_support};
 use crate::symmetry::symmetries;
-use crate::timeline::Simultaneous;
+use crate::timeline::{BroadPhase, Simultaneous};
 use attempt::Attempt;
 
 pub use accumulation::Accumulation;
@@ -37,6 +37,8 @@ pub struct Options {
     pub contacts: bool,
     /// How the timeline resolves simultaneous impacts that share a disc.
     pub simultaneous: Simultaneous,
+    /// How the timeline finds what a disc may meet.
+    pub broad_phase: BroadPhase,
 }
 
 impl Default for Options {
@@ -48,6 +50,7 @@ impl Default for Options {
             digits: 20,
             contacts: false,
             simultaneous: Simultaneous::default(),
+            broad_phase: BroadPhase::default(),
         }
     }
 }

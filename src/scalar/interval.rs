@@ -89,8 +89,24 @@ impl Interval {
         self.hi
     }
 
+    /// About the middle.
+    #[inline]
+    pub(crate) fn middle(&self) -> f64 {
+        self.lo / 2.0 + self.hi / 2.0
+    }
+
+    /// At least the distance of the ends from the rounded middle.
+    #[inline]
+    pub(crate) fn radius(&self) -> f64 {
+        if self.lo == self.hi {
+            return 0.0;
+        }
+        let middle = self.middle();
+        (self.hi - middle).max(middle - self.lo) * (1.0 + 1e-9)
+    }
+
     /// The largest magnitude.
-    pub(super) fn magnitude(&self) -> f64 {
+    pub(crate) fn magnitude(&self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 

@@ -14,11 +14,12 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::arbiter::{Arbiter, Foreseen, Timed};
 use super::flight::{Flights, Meeting};
+use super::neighbours::{BroadPhase, Neighbours};
 use super::sweep::Sweep;
 use crate::body::Feature;
 use crate::kernel::{Kernel, Time};
 use crate::scalar::{Doubt, Interval};
-use crate::world::{Obstacle, World};
+use crate::world::Obstacle;
 
 /// The first meeting of a disc.
 #[derive(Clone, Debug)]
@@ -39,6 +40,8 @@ pub(super) enum Outlook<S: Kernel> {
     /// It is the impact on this, after a delay, of which the bounds of the
     /// time have sufficed so far.
     Bounded(Obstacle, Foresight),
+    /// Only that there is none before it leaves its neighbours.
+    Leaving,
     /// All.
     Computed(Meeting<S>, Foresight),
 }
@@ -66,6 +69,24 @@ impl<S: Kernel> Forecast<S> {
             outlook: Outlook::Open,
             contested: None,
         }
+    }
+
+    fn leaving(time: f64) -> Self {
+        Self {
+            bounds: Interval::new(time, time),
+            outlook: Outlook::Leaving,
+            contested: None,
+        }
+    }
+
+    /// Whether it is left for later to tell the candidates apart.
+    pub(super) fn is_open(&self) -> bool {
+        matches!(self.outlook, Outlook::Open)
+    }
+
+    /// Whether it looks no further than to where the disc gets new neighbours.
+    pub(super) fn is_leaving(&self) -> bool {
+        matches!(self.outlook, Outlook::Leaving)
     }
 
     fn bounded(obstacle: Obstacle, bounds: &Meeting<Interval>, flights: &Flights<S>) -> Self {
@@ -96,7 +117,7 @@ impl<S: Kernel> Forecast<S> {
     #[inline]
     fn foresight(&self) -> Option<Foresight> {
         match &self.outlook {
-            Outlook::Open => None,
+            Outlook::Open | Outlook::Leaving => None,
             Outlook::Bounded(_, foresight) | Outlook::Computed(_, foresight) => Some(*foresight),
         }
     }
@@ -106,7 +127,7 @@ impl<S: Kernel> Forecast<S> {
     pub(super) fn meeting(&self) -> Option<&Meeting<S>> {
         match &self.outlook {
             Outlook::Computed(meeting, _) => Some(meeting),
-            Outlook::Open | Outlook::Bounded(..) => None,
+            Outlook::Open | Outlook::Leaving | Outlook::Bounded(..) => None,
         }
     }
 
@@ -172,39 +193,14 @@ fn meet<S: Timed>(
     })
 }
 
-/// Whom a disc's forecast considers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Partners {
-    /// Everything.
-    All,
-    /// At the start, when all discs are forecast in turn, only what is left of
-    /// the pairs: later discs, and what makes no forecasts of its own.
-    Later,
-}
-
-impl Partners {
-    #[inline]
-    pub(super) fn of<S: Kernel>(
-        self,
-        world: &World<S>,
-        disc: usize,
-    ) -> impl Iterator<Item = Obstacle> {
-        world
-            .obstacles(disc)
-            .filter(move |&obstacle| match obstacle {
-                Obstacle::Disc(other) if self == Self::Later => {
-                    other > disc || !world.discs[other].is_movable()
-                }
-                _ => true,
-            })
-    }
-}
-
 /// Finds forecasts, and keeps what that takes from one to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Forecaster {
     /// The bodies' binary64 bounds, where the arithmetic wants the filter.
     bounds: Option<Bounds>,
+    neighbours: Neighbours,
+    /// What a disc may meet, and what of it bounds have not ruled out.
+    candidates: Vec<Obstacle>,
     survivors: Vec<Survivor>,
     /// No meeting after this is of interest.
     horizon: f64,
@@ -249,10 +245,12 @@ pub(super) enum Effort {
 }
 
 impl Forecaster {
-    pub(super) fn new<S: Kernel>(flights: &Flights<S>, horizon: &S) -> Self {
+    pub(super) fn new<S: Kernel>(flights: &Flights<S>, horizon: &S, phase: BroadPhase) -> Self {
         let horizon = horizon.hull().hi();
         Self {
             bounds: S::FILTERED.then(|| Bounds::new(flights.hull(), horizon)),
+            neighbours: Neighbours::new(flights, phase),
+            candidates: Vec::new(),
             survivors: Vec::new(),
             horizon,
             closest: f64::INFINITY,
@@ -270,6 +268,13 @@ impl Forecaster {
         if let Some(bounds) = &mut self.bounds {
             bounds.update(flights, disc);
         }
+        self.neighbours.update(flights, disc);
+    }
+
+    /// Takes note of a disc that gets new neighbours at a time before which
+    /// nothing happens.
+    pub(super) fn renew<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize, time: f64) {
+        self.neighbours.renew(flights, disc, time);
     }
 
     /// Whether bounds prove that a disc and an obstacle are apart at a time.
@@ -280,10 +285,36 @@ impl Forecaster {
         })
     }
 
-    /// The first meeting of a disc with one of the candidates, but for those it
-    /// `skips`, told by what is
-    /// met and whether that overlaps already.
+    /// The first meeting of a disc with one of its neighbours, if that is sure
+    /// to be before it gets others. Some of them are not `wanted`; others it
+    /// `skips`, told by what is met and whether that overlaps already.
     pub(super) fn forecast<S: Timed>(
+        &mut self,
+        flights: &Flights<S>,
+        disc: usize,
+        effort: Effort,
+        arbiter: &mut S::Arbiter,
+        (wanted, skips): (impl Fn(Obstacle) -> bool, impl Fn(Feature, bool) -> bool),
+    ) -> Result<Option<Forecast<S>>, S::Doubt> {
+        let mut candidates = std::mem::take(&mut self.candidates);
+        self.neighbours
+            .collect(&flights.world, disc, &mut candidates);
+        let wanted = candidates
+            .iter()
+            .copied()
+            .filter(|&obstacle| wanted(obstacle));
+        let first = self.first(flights, disc, (wanted, effort), arbiter, skips);
+        self.candidates = candidates;
+        let (first, leave) = (first?, self.neighbours.last_until(disc));
+        Ok(match first {
+            Some(first) if first.bounds.hi() <= leave => Some(first),
+            _ if leave > self.horizon => first,
+            Some(first) => Some(Forecast::leaving(leave.min(first.bounds.lo()))),
+            None => Some(Forecast::leaving(leave)),
+        })
+    }
+
+    fn first<S: Timed>(
         &mut self,
         flights: &Flights<S>,
         disc: usize,

@@ -49,10 +49,23 @@ impl<S: Timed> Timeline<S> {
         if S::ROUNDS || self.candidates.len() > 1 {
             return;
         }
-        let end = self.forecasts[first].as_ref().map(|next| next.bounds.hi());
-        let margin = end.map(|end| (self.queue.least_but(first) - end) / end);
-        if let Some(margin) = margin.filter(|margin| *margin > 0.0) {
-            self.closest = self.closest.min(margin);
+        let Some(next) = &self.forecasts[first] else {
+            return;
+        };
+        let end = next.bounds.hi();
+        let margin = |key: f64| (key - end) / end;
+        // Discs that leave their neighbours are in the queue as well.
+        if margin(self.queue.least_but(first)) < self.closest {
+            let others = self.forecasts.iter().enumerate();
+            let others = others.filter(|(disc, _)| *disc != first);
+            let keys = others.filter_map(|(_, next)| {
+                let next = next.as_ref().filter(|next| !next.is_leaving())?;
+                Some(next.bounds.lo())
+            });
+            let margin = margin(keys.fold(f64::INFINITY, f64::min));
+            if margin > 0.0 {
+                self.closest = self.closest.min(margin);
+            }
         }
     }
 
@@ -72,8 +85,12 @@ impl<S: Timed> Timeline<S> {
             self.forecast(disc, Effort::Bounds)?;
             return Ok(true);
         }
-        if let Some(disc) = self.find(|_, _, next| next.feature().is_none()) {
+        if let Some(disc) = self.find(|_, _, next| next.is_open()) {
             self.forecast(disc, Effort::Numbers)?;
+            return Ok(true);
+        }
+        if let Some(disc) = self.find(|_, _, next| next.is_leaving()) {
+            self.renew(disc)?;
             return Ok(true);
         }
         let Some(disc) = self.find(|_, _, next| next.contested.is_some()) else {
@@ -85,6 +102,14 @@ impl<S: Timed> Timeline<S> {
             Some(doubt) => Err(doubt),
             None => Ok(true),
         }
+    }
+
+    /// Looks further for a disc that leaves its neighbours. None of the others'
+    /// forecasts comes true before.
+    fn renew(&mut self, disc: usize) -> Result<(), S::Doubt> {
+        let time = self.queue.least();
+        self.forecaster.renew(&self.flights, disc, time);
+        self.forecast(disc, Effort::Bounds)
     }
 
     /// The first disc of the front with such a forecast.

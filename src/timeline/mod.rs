@@ -17,6 +17,7 @@ mod cluster;
 mod flight;
 mod forecast;
 mod front;
+mod neighbours;
 mod nested;
 mod queue;
 mod step;
@@ -30,17 +31,18 @@ use crate::body::{Disc, Feature};
 use crate::impact::{Contact, Impact};
 use crate::kernel::Time;
 use crate::symmetry::Symmetry;
-use crate::world::World;
+use crate::world::{Obstacle, World};
 use accumulation::Watch;
 pub use arbiter::Timed;
 use arbiter::{Arbiter, Foreseen};
 use flight::Flights;
-use forecast::{Effort, Forecast, Forecaster, Partners};
+use forecast::{Effort, Forecast, Forecaster};
 use front::Candidate;
 use nested::Nested;
 use queue::Queue;
 
 pub use accumulation::Accumulation;
+pub use neighbours::BroadPhase;
 
 /// How simultaneous impacts that share a disc are resolved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -60,6 +62,39 @@ impl fmt::Display for Simultaneous {
             Self::Sequential => "sequential",
             Self::Reflect => "reflect",
         })
+    }
+}
+
+/// What may be chosen for a run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Setup<'a> {
+    /// The rule for simultaneous impacts that share a disc.
+    pub simultaneous: Simultaneous,
+    /// How neighbours are found.
+    pub broad_phase: BroadPhase,
+    /// Symmetries that the world is known to have.
+    pub symmetries: &'a [Symmetry],
+}
+
+/// Whom a disc's forecast considers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Partners {
+    /// Everything.
+    All,
+    /// At the start, when all discs are forecast in turn, only what is left of
+    /// the pairs: later discs, and what makes no forecasts of its own.
+    Later,
+}
+
+impl Partners {
+    #[inline]
+    fn include<S: Timed>(self, world: &World<S>, disc: usize, obstacle: Obstacle) -> bool {
+        match obstacle {
+            Obstacle::Disc(other) if self == Self::Later => {
+                other > disc || !world.discs[other].is_movable()
+            }
+            _ => true,
+        }
     }
 }
 
@@ -106,33 +141,22 @@ impl<S: Timed> Timeline<S> {
     ///
     /// It cannot be decided what the discs meet first.
     pub fn new(world: World<S>, until: &S) -> Result<Self, S::Doubt> {
-        Self::with_symmetries(world, until, &[])
+        Self::with_setup(world, until, &Setup::default())
     }
 
-    /// The same run with another rule for simultaneous impacts that share a
-    /// disc.
-    #[must_use]
-    pub fn with_rule(self, rule: Simultaneous) -> Self {
-        Self { rule, ..self }
-    }
-
-    /// The run of a world that is known to have these symmetries.
+    /// The same, set up otherwise than by default.
     ///
     /// # Errors
     ///
     /// It cannot be decided what the discs meet first.
-    pub(crate) fn with_symmetries(
-        world: World<S>,
-        until: &S,
-        symmetries: &[Symmetry],
-    ) -> Result<Self, S::Doubt> {
+    pub fn with_setup(world: World<S>, until: &S, setup: &Setup<'_>) -> Result<Self, S::Doubt> {
         let count = world.discs.len();
         let nested = Nested::find(&world);
-        let arbiter = S::Arbiter::new(&world, symmetries);
+        let arbiter = S::Arbiter::new(&world, setup.symmetries);
         let watch = Watch::over(&world, until);
         let flights = Flights::new(world);
         let mut timeline = Self {
-            forecaster: Forecaster::new(&flights, until),
+            forecaster: Forecaster::new(&flights, until, setup.broad_phase),
             flights,
             arbiter,
             forecasts: vec![None; count],
@@ -142,7 +166,7 @@ impl<S: Timed> Timeline<S> {
             tied: Vec::new(),
             grazed: vec![Vec::new(); count],
             parted: vec![Vec::new(); count],
-            rule: Simultaneous::Sequential,
+            rule: setup.simultaneous,
             pending: VecDeque::new(),
             nested,
             now: S::from_integer(0),
@@ -355,16 +379,16 @@ impl<S: Timed> Timeline<S> {
         let next = if flights.world.discs[disc].is_movable() {
             let parted = &self.parted[disc];
             let world = &flights.world;
-            let candidates = partners.of(world, disc).filter(|&obstacle| {
+            let wanted = |obstacle| {
                 let holds = |&(feature, turn): &(Feature, u64)| {
                     flights.turn_of(feature) == turn && world.is_part_of(feature, obstacle)
                 };
-                parted.is_empty() || !parted.iter().any(holds)
-            });
+                partners.include(world, disc, obstacle)
+                    && (parted.is_empty() || !parted.iter().any(holds))
+            };
             let arbiter = &mut self.arbiter;
-            let scope = (candidates, effort);
             self.forecaster
-                .forecast(flights, disc, scope, arbiter, skips)?
+                .forecast(flights, disc, effort, arbiter, (wanted, skips))?
         } else {
             None
         };

@@ -110,24 +110,14 @@ impl Tracks {
 
 /// One coordinate of a track, and how far from it the truth can be.
 fn track(position: &Interval, velocity: &Interval, since: &Interval, horizon: f64) -> (Track, f64) {
-    let [x, v, s] = [position, velocity, since].map(middle);
-    let [x_error, v_error, s_error] = [position, velocity, since].map(radius);
+    let [x, v, s] = [position, velocity, since].map(Interval::middle);
+    let [x_error, v_error, s_error] = [position, velocity, since].map(Interval::radius);
     let speed = v.abs() + v_error;
     let known = x_error + speed * s_error + 2.0 * horizon * v_error;
     let rounding = ROUNDING * (x.abs() + 2.0 * speed * horizon);
     let start = x - v * s;
     let slack = (known + rounding) * MARGIN + f64::MIN_POSITIVE;
     (Track { start, speed: v }, slack)
-}
-
-fn middle(bounds: &Interval) -> f64 {
-    bounds.lo() / 2.0 + bounds.hi() / 2.0
-}
-
-/// At least the distance of the bounds from their rounded middle.
-fn radius(bounds: &Interval) -> f64 {
-    let middle = middle(bounds);
-    (bounds.hi() - middle).max(middle - bounds.lo()) * MARGIN
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 mod build;
 mod touch;
 
-use std::cmp::Ordering::Equal;
+use std::cmp::Ordering::{self, Equal};
 
 use crate::body::{BodyId, Disc, End, Feature, Mass, Pair, Wall};
 use crate::contacts::Contacts;
@@ -104,6 +104,18 @@ impl<S: Kernel> World<S> {
             }
             _ => false,
         }
+    }
+
+    /// Whether a disc is at rest, and no collision changes that.
+    pub(crate) fn rests_for_ever(&self, disc: usize) -> bool {
+        let disc = &self.discs[disc];
+        let is_still = || {
+            disc.velocity
+                .norm_squared()
+                .sign()
+                .is_ok_and(Ordering::is_eq)
+        };
+        !disc.is_movable() && is_still()
     }
 
     /// Every disc with each disc after it and each wall (P1.2).
