@@ -16,7 +16,7 @@ use carom::arithmetic::{Arithmetic, Budget};
 use carom::judge::{Logged, first_difference};
 use carom::run::{Options, Outcome, run};
 use carom::scalar::{Exact, Number};
-use carom::scene::{Scene, SceneError, generate};
+use carom::scene::{Scene, generate};
 use carom::simulation::Algorithm;
 
 type Failure = Box<dyn std::error::Error>;
@@ -24,7 +24,7 @@ type Failure = Box<dyn std::error::Error>;
 /// Scenes that differ by a seed.
 struct Kind {
     name: &'static str,
-    make: fn(u64) -> Result<Scene, SceneError>,
+    make: fn(u64) -> Result<Scene, Failure>,
     /// Many more than can be followed.
     impacts: u32,
     /// How much longer than a small scene one takes: it gets fewer seeds.
@@ -32,25 +32,29 @@ struct Kind {
 }
 
 const KINDS: [Kind; 6] = [
-    gas("5 discs", |seed| generate::gas(seed, 5, 0.3), 600),
-    gas("10 discs", |seed| generate::gas(seed, 10, 0.3), 800),
-    gas("20 discs", |seed| generate::gas(seed, 20, 0.3), 1200),
-    gas("20 discs, dense", |seed| generate::gas(seed, 20, 0.6), 1200),
+    gas("5 discs", |seed| Ok(generate::gas(seed, 5, 0.3)?), 600),
+    gas("10 discs", |seed| Ok(generate::gas(seed, 10, 0.3)?), 800),
+    gas("20 discs", |seed| Ok(generate::gas(seed, 20, 0.3)?), 1200),
+    gas(
+        "20 discs, dense",
+        |seed| Ok(generate::gas(seed, 20, 0.6)?),
+        2400,
+    ),
     Kind {
         name: "Table 1, a third",
-        make: |seed| generate::table1(seed, &"33/100".parse().unwrap_or(Number::from(1))),
+        make: |seed| Ok(generate::table1(seed, &"33/100".parse()?)?),
         impacts: 6000,
         effort: 10,
     },
     Kind {
         name: "Table 1",
-        make: |seed| generate::table1(seed, &Number::from(1)),
+        make: |seed| Ok(generate::table1(seed, &Number::from(1))?),
         impacts: 6000,
         effort: 10,
     },
 ];
 
-const fn gas(name: &'static str, make: fn(u64) -> Result<Scene, SceneError>, impacts: u32) -> Kind {
+const fn gas(name: &'static str, make: fn(u64) -> Result<Scene, Failure>, impacts: u32) -> Kind {
     Kind {
         name,
         make,
