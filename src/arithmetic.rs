@@ -150,8 +150,8 @@ impl Arithmetic for f64 {
 
 impl Arithmetic for Filtered {
     const NAME: &'static str = "filtered";
-    /// Where a body is after the longest time is still a binary64 number.
-    const RANGE: Option<i32> = Some(400);
+    /// The numbers can be stored, with all their bits.
+    const RANGE: Option<i32> = Some(1000);
 
     fn certain_bits(&self) -> Option<u32> {
         None

@@ -95,7 +95,7 @@ mod gases {
     }
 
     /// What the reference's run comes to: see below.
-    const HASH: u64 = 0;
+    const HASH: u64 = 0xe934_066d_61ee_1ff2;
 
     /// All times, names and velocities of a run, by the hash of Fowler, Noll and
     /// Vo (FNV-1a).

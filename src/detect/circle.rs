@@ -21,6 +21,31 @@ use crate::vec2::Vec2;
 /// moving at `velocity` relative to it, meets the circle from outside, or
 /// moves inwards inside it.
 ///
+/// # Error in binary64
+///
+/// Let u = 2^-53, δ = D / (v·v R²) and g = (d·d - R²) / (d·d + R²): δ is 0 in
+/// tangency and 1 head-on, g is 0 in contact and nearly 1 far away. For the
+/// offset, the velocity and the radius as given, within
+/// [`Number::BINARY64_RANGE`](crate::scalar::Number::BINARY64_RANGE):
+///
+/// - **The verdict** outside the circle is right where |δ| > 8u, that is if the
+///   path does not pass the centre at R to within 4u R. For (v·v) R is computed
+///   to 3u and d × v to 2u, so D to 3u (v·v) R² + 4u (d × v)² and then 2u of
+///   itself; and (d·v)² ≥ δ (d·d) (v·v), δ being no more than 1, so that where
+///   D > 0 the sign of d·v is certain too. A large distance plays no part.
+/// - **Inside**, the sign of d·v is all that counts: it is certain unless its
+///   products cancel to 2u of their sizes.
+/// - **The gap** is computed to u of itself and 8u² (d·d + R²), so that its sign
+///   is right where |g| > 9u².
+/// - **The time** has an error of at most 10u/δ + 9u²/g of itself, where
+///   δ ≥ 64u. In the denominator, at least 2√D, the root is wrong by
+///   (7u/δ + 3u) √D and d·v by 2u |d||v|, which is at most 2u/√δ of it;
+///   subtraction and division add 2u.
+///
+/// A difference of coordinates is exact if they are within a factor of two of
+/// each other, or have few digits, and otherwise wrong by u of itself; so is a
+/// sum of radii.
+///
 /// # Errors
 ///
 /// An enclosure of an intermediate value contains zero.

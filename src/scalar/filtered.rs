@@ -17,10 +17,11 @@ use super::{Interval, Number, Scalar};
 pub struct Filtered(f64);
 
 impl Filtered {
-    /// The number, to be stored.
+    /// The number, to be stored. One beyond the largest, such as the place of a
+    /// disc that is faster than that in the time given, is stored as the largest.
     #[inline]
     pub const fn new(number: f64) -> Self {
-        Self(number)
+        Self(number.clamp(f64::MIN, f64::MAX))
     }
 
     /// The number that is stored.

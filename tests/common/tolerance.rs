@@ -24,3 +24,7 @@ pub(crate) const RETURN: f64 = 1e-30;
 /// The bits after the binary point that are kept of a turning point: few
 /// enough that the way back is computed quickly.
 pub(crate) const TURNING_BITS: u32 = 200;
+
+/// How far a binary64 time or velocity may be from the true one after a few
+/// impacts of discs of moderate size, relative to it or to 1.
+pub(crate) const FEW_IMPACTS: f64 = 1e-12;
