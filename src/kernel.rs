@@ -50,9 +50,10 @@ pub trait Time<S: Scalar>: Clone + Debug + Send + Sync + 'static {
     /// rounded at most once.
     fn value_after(&self, since: &S) -> S;
 
-    /// Lifts a computed time to `floor` where rounding alone put it before.
+    /// The time, when it has come: with what several uses of it share, and lifted
+    /// to `floor` where rounding alone put it before.
     #[must_use]
-    fn not_before(self, floor: &S) -> Self;
+    fn settled(self, floor: &S) -> Self;
 }
 
 /// A number may be its own kind of time.
@@ -98,8 +99,8 @@ impl<S: Scalar> Time<S> for S {
     }
 
     #[inline]
-    fn not_before(self, floor: &S) -> Self {
-        Scalar::not_before(self, floor)
+    fn settled(self, floor: &S) -> Self {
+        self.not_before(floor)
     }
 }
 

@@ -18,12 +18,26 @@ pub struct Moment {
     lo: f64,
     hi: f64,
     course: Course,
+    sharp: Option<Sharp>,
+}
+
+/// A time to two words, and rounded.
+#[derive(Clone, Copy, Debug)]
+struct Sharp {
+    /// Since the start of the course.
+    delay: Rounded<Twofold>,
+    nearest: f64,
 }
 
 impl Moment {
     #[inline]
     fn within([lo, hi]: [f64; 2], course: Course) -> Self {
-        Self { lo, hi, course }
+        Self {
+            lo,
+            hi,
+            course,
+            sharp: None,
+        }
     }
 
     /// The time at which some course leads to a meeting, after about a delay.
@@ -49,33 +63,37 @@ impl Moment {
         exact::time(&self.course)
     }
 
-    /// The time since the start of the course, to two words.
-    fn delay(&self) -> Option<(f64, Rounded<Twofold>)> {
-        let start = self.course.start()?;
-        Some((start, screen::delay(&self.course)?))
+    /// The time to two words, if these tell how it rounds.
+    fn sharp(&self) -> Option<Sharp> {
+        self.sharp.or_else(|| {
+            let start = self.course.start()?;
+            let delay: Rounded<Twofold> = screen::delay(&self.course)?;
+            let time = delay.after(start);
+            let nearest = time.value.nearest(time.error)?;
+            Some(Sharp { delay, nearest })
+        })
     }
 
     /// The nearest binary64 number.
     fn nearest(&self) -> f64 {
-        let quick = self.delay().and_then(|(start, delay)| {
-            let time = delay.after(start);
-            time.value.nearest(time.error)
-        });
         let exact = || self.surd().map_or(self.lo, |time| time.to_f64());
-        quick.unwrap_or_else(exact)
+        self.sharp().map_or_else(exact, |sharp| sharp.nearest)
+    }
+
+    /// How long a disc has been in flight then, to two words.
+    fn flown(&self, disc: &Ray) -> Option<Rounded<Twofold>> {
+        match self.course.start() {
+            Some(start) => Some(self.sharp()?.delay.since(start, disc.since)),
+            None => Some(Rounded {
+                value: Twofold::difference(self.lo, disc.since),
+                error: 0.0,
+            }),
+        }
     }
 
     /// Where a disc is then, rounded.
     pub(super) fn place_of(&self, disc: &Ray) -> Vec2<Filtered> {
-        let flown = match self.delay() {
-            Some((start, delay)) => Some(delay.since(start, disc.since)),
-            None if self.course.start().is_none() => Some(Rounded {
-                value: Twofold::difference(self.lo, disc.since),
-                error: 0.0,
-            }),
-            None => None,
-        };
-        let quick = flown.and_then(|flown| {
+        let quick = self.flown(disc).and_then(|flown| {
             let [x, y] = disc
                 .after(flown)
                 .map(|place| place.value.nearest(place.error));
@@ -160,7 +178,8 @@ impl Time<Filtered> for Moment {
 
     /// Rounding keeps the order: there is nothing to lift.
     #[inline]
-    fn not_before(self, _: &Filtered) -> Self {
-        self
+    fn settled(self, _: &Filtered) -> Self {
+        let sharp = self.sharp();
+        Self { sharp, ..self }
     }
 }

@@ -321,7 +321,7 @@ impl<S: Timed> Timeline<S> {
         moment: u64,
     ) -> Result<(S, Contact<S>), S::Doubt> {
         let meeting = forecast.compute(&self.flights, disc, &mut self.arbiter)?;
-        let (time, overlap) = (meeting.time.clone().not_before(&self.now), meeting.overlap);
+        let (time, overlap) = (meeting.time.clone().settled(&self.now), meeting.overlap);
         let (first, feature) = (met.disc, met.feature);
         for changed in self.movable(first, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
