@@ -13,12 +13,13 @@ use crate::scalar::{Dyadic, Filtered, Interval, Rounding};
 use crate::vec2::Vec2;
 
 /// The time of a meeting.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Moment {
     lo: f64,
     hi: f64,
     course: Course,
-    sharp: Option<Sharp>,
+    /// Boxed, for most times never come.
+    sharp: Option<Box<Sharp>>,
 }
 
 /// A time to two words, and rounded.
@@ -65,13 +66,14 @@ impl Moment {
 
     /// The time to two words, if these tell how it rounds.
     fn sharp(&self) -> Option<Sharp> {
-        self.sharp.or_else(|| {
-            let start = self.course.start()?;
-            let delay: Rounded<Twofold> = screen::delay(&self.course)?;
-            let time = delay.after(start);
-            let nearest = time.value.nearest(time.error)?;
-            Some(Sharp { delay, nearest })
-        })
+        if let Some(sharp) = &self.sharp {
+            return Some(**sharp);
+        }
+        let start = self.course.start()?;
+        let delay: Rounded<Twofold> = screen::delay(&self.course)?;
+        let time = delay.after(start);
+        let nearest = time.value.nearest(time.error)?;
+        Some(Sharp { delay, nearest })
     }
 
     /// The nearest binary64 number.
@@ -179,7 +181,7 @@ impl Time<Filtered> for Moment {
     /// Rounding keeps the order: there is nothing to lift.
     #[inline]
     fn settled(self, _: &Filtered) -> Self {
-        let sharp = self.sharp();
+        let sharp = self.sharp().map(Box::new);
         Self { sharp, ..self }
     }
 }
