@@ -115,7 +115,7 @@ pub(super) fn delay<F: Float>(course: &Course) -> Option<Rounded<F>> {
 
 /// Whether and when two discs meet, of which the second one is known since the
 /// later time.
-#[inline]
+#[inline(always)]
 pub(super) fn discs<F: Float>([early, late]: &[Ray; 2]) -> Verdict<F> {
     let flown = F::difference(late.since, early.since);
     let [ex, ey] = early.velocity.map(|speed| F::new(speed) * flown);
@@ -149,7 +149,7 @@ fn point<F: Float>(disc: &Ray, point: [f64; 2]) -> Verdict<F> {
 }
 
 /// Whether and when a point enters a circle about the origin.
-#[inline]
+#[inline(always)]
 fn circle<F: Float>(offset: &Offset<F>, [vx, vy]: [F; 2], reach: F) -> Verdict<F> {
     let Offset { x, y, size } = *offset;
     let speed = vx.head().abs() + vy.head().abs();
