@@ -170,7 +170,7 @@ impl Scalar for Expression {
     type Precision = Limits;
 
     const ROUNDS: bool = false;
-    const FILTERED: bool = false;
+    const IS_DEAR: bool = false;
 
     fn from_number(number: &Number, limits: Limits) -> Self {
         Self::from_rational(number.to_rational(), limits)

@@ -15,7 +15,7 @@ pub(super) struct Bounded<'a, S: Kernel> {
 impl<'a, S: Kernel> Bounded<'a, S> {
     pub(super) fn new(world: &'a mut World<S>) -> Self {
         Self {
-            bounds: S::FILTERED.then(|| world.hull()),
+            bounds: S::IS_DEAR.then(|| world.hull()),
             world,
         }
     }

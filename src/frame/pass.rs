@@ -41,7 +41,7 @@ impl<'a, S: Kernel> Passing<'a, S> {
         let count = world.discs.len();
         let clocked = Clocked::new(count, frame.duration.clone(), clocks);
         Self {
-            bounds: S::FILTERED.then(|| clocked.hull()),
+            bounds: S::IS_DEAR.then(|| clocked.hull()),
             bodies: Bounded::new(world),
             frame,
             clocked,

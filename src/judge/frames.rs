@@ -136,7 +136,7 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
                 Ok(truth) => return Ok(truth),
                 Err(failure) => failure,
             };
-            if S::FILTERED {
+            if S::IS_DEAR {
                 return Err(failure);
             }
             let short = Shortfall {

@@ -13,7 +13,7 @@ impl Scalar for f64 {
     type Precision = ();
 
     const ROUNDS: bool = true;
-    const FILTERED: bool = false;
+    const IS_DEAR: bool = false;
 
     fn from_number(number: &Number, (): ()) -> Self {
         number.to_f64()

@@ -161,7 +161,7 @@ impl Scalar for Exact {
     type Precision = u32;
 
     const ROUNDS: bool = false;
-    const FILTERED: bool = true;
+    const IS_DEAR: bool = true;
 
     /// The number itself, or where it is longer than
     /// [`RATIONAL_BITS`](Self::RATIONAL_BITS), an enclosure of so many bits.

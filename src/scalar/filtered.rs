@@ -36,7 +36,7 @@ impl Scalar for Filtered {
     type Precision = ();
 
     const ROUNDS: bool = true;
-    const FILTERED: bool = false;
+    const IS_DEAR: bool = false;
 
     fn from_number(number: &Number, (): ()) -> Self {
         Self(number.to_f64())

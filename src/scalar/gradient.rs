@@ -80,7 +80,7 @@ impl Scalar for Gradient {
     type Precision = ();
 
     const ROUNDS: bool = false;
-    const FILTERED: bool = false;
+    const IS_DEAR: bool = false;
 
     fn from_number(number: &Number, (): ()) -> Self {
         Self::constant(Interval::from_number(number, ()))

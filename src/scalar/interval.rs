@@ -126,7 +126,7 @@ impl Scalar for Interval {
     type Precision = ();
 
     const ROUNDS: bool = false;
-    const FILTERED: bool = false;
+    const IS_DEAR: bool = false;
 
     /// A point if the number is binary64, otherwise its two neighbours.
     fn from_number(number: &Number, (): ()) -> Self {

@@ -80,7 +80,7 @@ pub trait Scalar:
 
     /// Whether operations are so dear that [`Interval`] should first rule
     /// out what it can.
-    const FILTERED: bool;
+    const IS_DEAR: bool;
 
     /// The number as it was written, rounded at most once.
     fn from_number(number: &Number, precision: Self::Precision) -> Self;

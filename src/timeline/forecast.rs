@@ -248,7 +248,7 @@ impl Forecaster {
     pub(super) fn new<S: Kernel>(flights: &Flights<S>, horizon: &S, phase: BroadPhase) -> Self {
         let horizon = horizon.hull().hi();
         Self {
-            bounds: S::FILTERED.then(|| Bounds::new(flights.hull(), horizon)),
+            bounds: S::IS_DEAR.then(|| Bounds::new(flights.hull(), horizon)),
             neighbours: Neighbours::new(flights, phase),
             candidates: Vec::new(),
             survivors: Vec::new(),

@@ -16,7 +16,7 @@ impl<S: Kernel> World<S> {
     ///
     /// An enclosure does not decide it.
     pub fn count_overlaps(&self) -> Result<u64, S::Doubt> {
-        let bounds = S::FILTERED.then(|| self.hull());
+        let bounds = S::IS_DEAR.then(|| self.hull());
         let surely_apart = |disc, obstacle| {
             let bounds = bounds.as_ref();
             bounds.is_some_and(|world| matches!(world.overlap(disc, obstacle), Ok(None)))
