@@ -130,5 +130,8 @@ fn the_open_has_an_end() {
         scene = scene.disc(Disc::at([place, 0.0], 1).velocity([place, 1.0]));
     }
     let outcome = run::<f64>(&scene.build().unwrap(), BroadPhase::Grid);
-    assert_eq!((outcome.impacts.len(), outcome.status), (0, Status::Complete));
+    assert_eq!(
+        (outcome.impacts.len(), outcome.status),
+        (0, Status::Complete)
+    );
 }
