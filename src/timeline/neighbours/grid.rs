@@ -97,8 +97,10 @@ impl Shape {
     /// The cell of a coordinate.
     #[inline]
     pub(super) fn cell(&self, coordinate: f64) -> Option<i64> {
-        let cell = (coordinate / self.size).floor();
-        (cell.abs() < FARTHEST).then_some(cell as i64)
+        let place = coordinate / self.size;
+        // Rounded down: quicker than the function of the C library.
+        let cell = place as i64 - i64::from(place < place as i64 as f64);
+        (place.abs() < FARTHEST).then_some(cell)
     }
 
     #[inline]
@@ -284,21 +286,23 @@ impl Grid {
         }
     }
 
-    /// Adds what a disc that is no stray may meet, walls first.
+    /// Visits what a disc that is no stray may meet, walls first.
     #[inline]
-    pub(super) fn collect(&self, disc: usize, found: &mut Vec<Obstacle>) {
+    pub(super) fn visit(&self, disc: usize, mut visit: impl FnMut(Obstacle)) {
         let bucket = self.places[disc].bucket;
-        let walls = self.walls.near(bucket);
-        found.extend(walls.map(|wall| Obstacle::Wall(wall as usize)));
+        for wall in self.walls.near(bucket) {
+            visit(Obstacle::Wall(wall as usize));
+        }
         for bucket in self.shape.around(bucket) {
             let mut next = self.first[bucket as usize];
             while next != NONE {
-                found.push(Obstacle::Disc(next as usize));
+                visit(Obstacle::Disc(next as usize));
                 next = self.places[next as usize].next;
             }
         }
-        let strays = self.strays.iter();
-        found.extend(strays.map(|&stray| Obstacle::Disc(stray as usize)));
+        for &stray in &self.strays {
+            visit(Obstacle::Disc(stray as usize));
+        }
     }
 }
 

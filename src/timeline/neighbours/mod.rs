@@ -110,8 +110,11 @@ impl Neighbours {
         found.clear();
         match self {
             Self::Near(grid) if !grid.is_stray(disc) => {
-                grid.collect(disc, found);
-                found.retain(|&obstacle| !world.is_barred(disc, obstacle));
+                grid.visit(disc, |obstacle| {
+                    if !world.is_barred(disc, obstacle) {
+                        found.push(obstacle);
+                    }
+                });
             }
             _ => found.extend(world.obstacles(disc)),
         }
