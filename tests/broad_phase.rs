@@ -4,7 +4,7 @@ mod common;
 
 use carom::arithmetic::Arithmetic;
 use carom::run::{Options, Outcome, Status};
-use carom::scalar::{Exact, Filtered, Scalar};
+use carom::scalar::{Exact, Filtered};
 use carom::scene::{Disc, DiscBuilder, Scene};
 use carom::simulation::Algorithm;
 use carom::timeline::BroadPhase;
