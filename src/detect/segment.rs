@@ -148,7 +148,7 @@ pub fn meet_segment<S: Scalar>(
     };
     if gap.sign()? == Less {
         return match segment.nearest(&offset)? {
-            Nearest::Foot(end) => Ok(approaches.then(|| with_end(Encounter::now(), end))),
+            Nearest::Foot(end) => Ok(approaches.then(|| with_end(Encounter::inside(), end))),
             Nearest::Beyond(end) => meet_end(end),
         };
     }

@@ -31,6 +31,8 @@ pub struct Meeting<S> {
     pub(super) feature: Feature,
     pub(super) graze: bool,
     pub(super) overlap: bool,
+    /// Whether they overlap, and do not only touch.
+    pub(super) inside: bool,
     /// The name of the time, if the meeting follows without any delay.
     pub(super) moment: Option<u64>,
 }
@@ -138,6 +140,7 @@ impl<S: Scalar> Flights<S> {
             feature,
             graze: encounter.graze,
             overlap: encounter.overlap,
+            inside: encounter.inside,
             moment: encounter.overlap.then_some(self.moment[start]),
         }
     }
@@ -240,14 +243,21 @@ impl<S: Scalar> Flights<S> {
         }
     }
 
-    /// The contact of a disc and a feature that have been brought to a time.
+    /// Whether a disc and an obstacle are proven to overlap at a time.
+    pub(super) fn overlaps(&self, disc: usize, obstacle: Obstacle, time: &S) -> bool {
+        matches!(self.gap(disc, obstacle, time), Ok((Ordering::Less, _)))
+    }
+
+    /// The contact of a disc and a feature that have been brought to a time,
+    /// and that may overlap.
     pub(super) fn cluster_contact(
         &self,
         disc: usize,
         feature: Feature,
         time: &S,
+        overlap: bool,
     ) -> Result<ClusterContact<S>, S::Doubt> {
-        let place = self.place(disc, feature, time, false);
+        let place = self.place(disc, feature, time, overlap);
         let normal = self.world.normal(disc, feature, &place);
         let second = match feature {
             Feature::Disc(other) => Some(other as usize),

@@ -124,6 +124,12 @@ impl<S: Scalar> Forecast<S> {
         self.foresight().is_some_and(changed)
     }
 
+    /// Whether the two overlap already, and do not only touch. What rounds does
+    /// not tell.
+    pub(super) fn is_inside(&self) -> bool {
+        !S::ROUNDS && self.meeting().is_some_and(|meeting| meeting.inside)
+    }
+
     /// Whether the two only pass in tangency.
     #[inline]
     pub(super) fn is_graze(&self) -> bool {
@@ -280,15 +286,14 @@ impl Forecaster {
     }
 
     /// The first meeting of a disc with one of the candidates, but for those it
-    /// `skips`, told by what is
-    /// met and whether that overlaps already.
+    /// `skips`, told by what is met and whether the two overlap already.
     pub(super) fn forecast<S: Timed>(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
         (candidates, effort): (impl Iterator<Item = Obstacle>, Effort),
         arbiter: &mut S::Arbiter,
-        skips: impl Fn(Feature, bool) -> bool,
+        skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
         let horizon = self.horizon;
         let mut first = First::new(flights, horizon);
@@ -342,7 +347,7 @@ impl Bounds {
         disc: usize,
         candidates: impl Iterator<Item = Obstacle>,
         survivors: &mut Vec<Survivor>,
-        skips: impl Fn(Feature, bool) -> bool,
+        skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) {
         survivors.clear();
         let earliest = self.flights.since[disc].lo();
@@ -356,7 +361,7 @@ impl Bounds {
             }
             let (earliest, meeting) = match self.flights.meet(disc, obstacle) {
                 Ok(None) => continue,
-                Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => continue,
+                Ok(Some(meeting)) if skips(obstacle, meeting.feature, meeting.inside) => continue,
                 Ok(Some(meeting)) => (meeting.time.lo(), Some(meeting)),
                 Err(_) => (self.flights.apart_until(disc, obstacle), None),
             };
@@ -405,10 +410,11 @@ impl<'a, S: Timed> First<'a, S> {
         disc: usize,
         obstacle: Obstacle,
         arbiter: &mut S::Arbiter,
-        skips: impl Fn(Feature, bool) -> bool,
+        skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) -> Result<(), S::Doubt> {
         let met = meet(self.flights, disc, obstacle, arbiter)?;
-        let Some(meeting) = met.filter(|meeting| !skips(meeting.feature, meeting.overlap)) else {
+        let Some(meeting) = met.filter(|meeting| !skips(obstacle, meeting.feature, meeting.inside))
+        else {
             return Ok(());
         };
         if meeting.time.hull().lo() <= self.horizon {

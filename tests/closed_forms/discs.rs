@@ -148,3 +148,15 @@ fn an_impact_undoes_what_was_to_come() {
     assert_encloses(&outcome.impacts[0].time, "7/5");
     assert_surd(&outcome.impacts[1].time, ["47/10", "-1/20"], "176");
 }
+
+/// Head-on in the direction (1, 2), at the irrational time (√20 - 2)/√5: the
+/// first disc stops, and so does not meet the wall below. That its velocity is
+/// zero no enclosure can tell.
+#[test]
+fn who_stops_meets_nothing() {
+    let scene = lasting("4")
+        .disc(Disc::at([0, 0], 1).velocity([1, 2]))
+        .disc(Disc::at([2, 4], 1))
+        .wall([-9, -9], [9, -9]);
+    assert_eq!(names(&exactly(&scene.build().unwrap()).impacts), ["d0 d1"]);
+}
