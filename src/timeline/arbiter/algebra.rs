@@ -148,8 +148,12 @@ impl Arbiter<Exact> for Algebra {
         };
         let cause = self.history.cause(disc, feature, false);
         let met = replay.meet(&self.history, cause);
+        // A disc that was brought to a time may be found to touch then.
+        let is_brought = |disc: usize| flights.moment_of(disc) != self.moments[disc];
+        let touches = is_brought(disc)
+            || matches!(feature, Feature::Disc(other) if is_brought(other as usize));
         self.weigh(match &met {
-            Ok(Some(meeting)) => meeting.graze || meeting.overlap,
+            Ok(Some(meeting)) => meeting.graze || meeting.overlap || touches,
             Ok(None) => true,
             Err(_) => false,
         });
