@@ -72,7 +72,7 @@ impl<S: Scalar> Flights<S> {
         disc: usize,
         obstacle: Obstacle,
     ) -> Result<Option<Meeting<S>>, S::Doubt> {
-        if let Some(feature) = self.world.contact(disc, obstacle) {
+        if let Some(feature) = self.contact(disc, obstacle) {
             let place = self.place(disc, feature, &self.since[disc], true);
             let approaches = self.world.approaches(disc, feature, &place.other)?;
             return Ok(approaches.then(|| self.touching(disc, feature)));
@@ -241,6 +241,17 @@ impl<S: Scalar> Flights<S> {
                 Ok((gap, self.world.feature(wall, end)))
             }
         }
+    }
+
+    /// What of an obstacle a disc touches by construction. A wall that it
+    /// overlaps it may touch besides at an end, which another wall shares.
+    #[inline]
+    pub(super) fn contact(&self, disc: usize, obstacle: Obstacle) -> Option<Feature> {
+        let contact = self.world.contact(disc, obstacle);
+        contact.filter(|feature| {
+            let is_corner = !S::ROUNDS && matches!(feature, Feature::Corner(_));
+            !(is_corner && self.overlaps(disc, obstacle, &self.since[disc]))
+        })
     }
 
     /// Whether a disc and an obstacle are proven to overlap at a time.

@@ -167,7 +167,7 @@ fn meet<S: Timed>(
 ) -> Result<Option<Meeting<S>>, S::Doubt> {
     flights.meet(disc, obstacle).or_else(|doubt| {
         let doubt = doubt.asking(|| obstacle.ask(disc, "meet"));
-        match flights.world.contact(disc, obstacle) {
+        match flights.contact(disc, obstacle) {
             Some(feature) => {
                 let approaches = arbiter.approaches(flights, disc, feature, doubt)?;
                 Ok(approaches.then(|| flights.touching(disc, feature)))
