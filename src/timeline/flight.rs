@@ -316,8 +316,8 @@ impl<S: Scalar> Flights<S> {
             return;
         }
         let velocity = self.world.discs[disc].velocity.clone();
-        self.world.leave_contacts(disc, &velocity);
         self.world.discs[disc] = after;
+        self.world.leave_contacts(disc, &velocity);
         self.since[disc] = time.clone();
         self.moment[disc] = turn;
         self.turn[disc] = turn;

@@ -161,28 +161,27 @@ fn who_stops_meets_nothing() {
     assert_eq!(names(&exactly(&scene.build().unwrap()).impacts), ["d0 d1"]);
 }
 
-/// From above, below, left and right: each touches both of its neighbours at
-/// 3 - √2. The first two pairs turn d0 by a quarter each time, into (1, 0) and
-/// (0, 1), and so do the other two with d1: into (1, 0) and (0, -1).
+/// From four sides: each touches both of its neighbours at 3 - √2. Whatever
+/// their names, the first two impacts turn the first disc by a quarter each
+/// time, the other two the one across from it, and each goes back.
 #[test]
 fn four_at_once() {
-    let discs = [[0, 1], [0, -1], [-1, 0], [1, 0]];
-    let discs = discs.map(|[x, y]| Disc::at([3 * x, 3 * y], 1).velocity([-x, -y]));
-    let outcome = exactly(&lasting("2").discs(discs).build().unwrap());
-    assert_eq!(
-        names(&outcome.impacts),
-        ["d0 d2", "d0 d3", "d1 d2", "d1 d3"]
-    );
-    for impact in &outcome.impacts {
-        assert_surd(&impact.time, ["3", "-1"], "2");
-    }
-    for (disc, expected) in
-        outcome
-            .end
-            .iter()
-            .zip([["0", "1"], ["0", "-1"], ["-1", "0"], ["1", "0"]])
-    {
-        assert_encloses(&disc.velocity.x, expected[0]);
-        assert_encloses(&disc.velocity.y, expected[1]);
+    let around = [[0, 1], [0, -1], [-1, 0], [1, 0]];
+    let crosswise = [[0, 1], [-1, 0], [0, -1], [1, 0]];
+    let pairs = [
+        ["d0 d2", "d0 d3", "d1 d2", "d1 d3"],
+        ["d0 d1", "d0 d3", "d1 d2", "d2 d3"],
+    ];
+    for (sides, pairs) in [around, crosswise].into_iter().zip(pairs) {
+        let discs = sides.map(|[x, y]| Disc::at([3 * x, 3 * y], 1).velocity([-x, -y]));
+        let outcome = exactly(&lasting("2").discs(discs).build().unwrap());
+        assert_eq!(names(&outcome.impacts), pairs);
+        for impact in &outcome.impacts {
+            assert_surd(&impact.time, ["3", "-1"], "2");
+        }
+        for (disc, [x, y]) in outcome.end.iter().zip(sides) {
+            assert_encloses(&disc.velocity.x, &x.to_string());
+            assert_encloses(&disc.velocity.y, &y.to_string());
+        }
     }
 }
