@@ -6,7 +6,7 @@ use std::convert::Infallible;
 use std::hint::black_box;
 
 use carom::arithmetic::Arithmetic;
-use carom::scalar::{Filtered, Scalar};
+use carom::scalar::Filtered;
 use carom::scene::generate::gas;
 use carom::timeline::Timeline;
 use carom::world::World;

@@ -201,6 +201,14 @@ impl<S: Kernel> World<S> {
         }
     }
 
+    /// Forgets that a disc parts from a wall or a corner that it overlaps: it
+    /// may still come upon other walls that end there.
+    pub(crate) fn forget(&mut self, disc: usize, feature: Feature) {
+        if !matches!(feature, Feature::Disc(_)) {
+            self.discs[disc].last = None;
+        }
+    }
+
     /// Remembers that a disc and a feature part from each other.
     pub(crate) fn remember(&mut self, disc: usize, feature: Feature) {
         self.discs[disc].last = Some(feature);

@@ -161,6 +161,8 @@ pub struct Met<T> {
     pub graze: bool,
     /// Whether they touch or overlap already.
     pub overlap: bool,
+    /// Whether they overlap already, and do not only touch.
+    pub inside: bool,
     /// The wall's end point that is touched, unless its interior is.
     pub end: Option<End>,
 }
@@ -175,6 +177,7 @@ impl<T> Met<T> {
             time: T::at(time.clone()),
             graze: false,
             overlap: true,
+            inside: false,
             end: None,
         }
     }
@@ -189,6 +192,7 @@ impl<T> Met<T> {
             time: T::after(since, encounter.delay),
             graze: encounter.graze,
             overlap: encounter.overlap,
+            inside: encounter.inside,
             end: encounter.end,
         }
     }

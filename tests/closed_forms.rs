@@ -5,6 +5,8 @@ mod common;
 
 #[path = "closed_forms/chains.rs"]
 mod chains;
+#[path = "closed_forms/clusters.rs"]
+mod clusters;
 #[path = "closed_forms/discs.rs"]
 mod discs;
 #[cfg(feature = "json")]

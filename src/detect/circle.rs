@@ -92,8 +92,9 @@ fn enter<S: Scalar>(
     discriminant: &S,
 ) -> Result<Encounter<S>, S::Doubt> {
     let gap = S::power(&offset.x, &offset.y, reach);
-    if gap.sign()? != Greater {
-        return Ok(Encounter::now());
-    }
-    Ok(Encounter::impact(gap / (discriminant.sqrt() - approach)))
+    Ok(match gap.sign()? {
+        Less => Encounter::inside(),
+        Equal => Encounter::now(),
+        Greater => Encounter::impact(gap / (discriminant.sqrt() - approach)),
+    })
 }

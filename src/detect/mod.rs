@@ -30,16 +30,26 @@ pub struct Encounter<S> {
     pub graze: bool,
     /// Whether they overlap now, or touch, so that the delay is none.
     pub overlap: bool,
+    /// Whether they overlap now, and do not only touch.
+    pub inside: bool,
     /// The wall's end point that is touched, unless its interior is.
     pub end: Option<End>,
 }
 
 impl<S: Scalar> Encounter<S> {
-    /// The bodies touch, or overlap, and approach already.
+    /// The bodies touch and approach already.
     pub(crate) fn now() -> Self {
         Self {
             overlap: true,
             ..Self::impact(S::from_integer(0))
+        }
+    }
+
+    /// The bodies overlap and approach already.
+    fn inside() -> Self {
+        Self {
+            inside: true,
+            ..Self::now()
         }
     }
 
@@ -48,6 +58,7 @@ impl<S: Scalar> Encounter<S> {
             delay,
             graze: false,
             overlap: false,
+            inside: false,
             end: None,
         }
     }

@@ -86,6 +86,15 @@ impl<S: Scalar> Segment<S> {
         }
     }
 
+    /// Whether it is certain that the perpendicular from a point meets the
+    /// segment between its end points.
+    pub(crate) fn is_beside(&self, point: &Vec2<S>) -> bool {
+        matches!(
+            self.nearest(&point.minus(&self.from)),
+            Ok(Nearest::Foot(None))
+        )
+    }
+
     /// The part of the segment that is nearest to a point whose offset from
     /// the first end point is given.
     pub(super) fn nearest(&self, offset: &Vec2<S>) -> Result<Nearest, S::Doubt> {
@@ -157,7 +166,7 @@ pub fn meet_segment<S: Scalar>(
     };
     if gap.sign()? == Less {
         return match segment.nearest(&offset)? {
-            Nearest::Foot(end) => Ok(approaches.then(|| with_end(Encounter::now(), end))),
+            Nearest::Foot(end) => Ok(approaches.then(|| with_end(Encounter::inside(), end))),
             Nearest::Beyond(end) => meet_end(end),
         };
     }

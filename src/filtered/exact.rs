@@ -17,7 +17,10 @@ use crate::scalar::Dyadic;
 pub(super) enum Meeting {
     Never,
     /// They touch or overlap, and approach.
-    Now,
+    Now {
+        /// Whether they overlap.
+        inside: bool,
+    },
     /// In tangency.
     Graze(Surd),
     At(Surd),
@@ -82,8 +85,10 @@ fn circle(offset: &Point, velocity: &Point, reach: &Dyadic) -> Meeting {
     if approach.sign() != Less {
         return Meeting::Never;
     }
-    if offset.compare_length(reach) != Greater {
-        return Meeting::Now;
+    match offset.compare_length(reach) {
+        Less => return Meeting::Now { inside: true },
+        Equal => return Meeting::Now { inside: false },
+        Greater => {}
     }
     let (divisor, moment) = (velocity.squared(), offset.cross(velocity));
     let strength = divisor.mul(reach).mul(reach);
@@ -116,7 +121,7 @@ pub(super) fn wall(disc: &Ray, line: &Line, barred: impl Fn(End) -> bool) -> (Me
     };
     if way.gap == Less {
         return match way.nearest_now() {
-            Foot::At(end) if way.approaches => (Meeting::Now, Part::Interior(end)),
+            Foot::At(end) if way.approaches => (Meeting::Now { inside: true }, Part::Interior(end)),
             Foot::At(end) => (Meeting::Never, Part::Interior(end)),
             Foot::Beyond(end) => meet_end(end),
         };
@@ -126,7 +131,7 @@ pub(super) fn wall(disc: &Ray, line: &Line, barred: impl Fn(End) -> bool) -> (Me
     }
     let delay = way.delay();
     match way.nearest_after(&delay) {
-        Foot::At(end) if way.gap == Equal => (Meeting::Now, Part::Interior(end)),
+        Foot::At(end) if way.gap == Equal => (Meeting::Now { inside: false }, Part::Interior(end)),
         Foot::At(end) => (Meeting::At(delay).since(disc.since), Part::Interior(end)),
         Foot::Beyond(end) => meet_end(end),
     }
@@ -169,7 +174,7 @@ pub(super) fn time(course: &Course) -> Option<Surd> {
 impl Meeting {
     fn time(self) -> Option<Surd> {
         match self {
-            Self::Never | Self::Now => None,
+            Self::Never | Self::Now { .. } => None,
             Self::Graze(time) | Self::At(time) => Some(time),
         }
     }

@@ -85,7 +85,7 @@ impl Twofold {
     /// `error` from this one, if that is the same for all.
     #[inline]
     pub(super) fn nearest(self, error: f64) -> Option<f64> {
-        let error = error + 2.0 * U * self.tail.abs();
+        let error = error + 4.0 * U * self.tail.abs();
         let [low, high] = [self.tail - error, self.tail + error];
         let nearest = self.head + low;
         let is_sure = nearest == self.head + high && nearest.is_finite();

@@ -181,6 +181,7 @@ fn met(time: Moment) -> Met<Moment> {
         time,
         graze: false,
         overlap: false,
+        inside: false,
         end: None,
     }
 }
@@ -189,8 +190,9 @@ fn met(time: Moment) -> Met<Moment> {
 fn found(meeting: Meeting, course: Course, start: &Filtered) -> Option<Met<Moment>> {
     match meeting {
         Meeting::Never => None,
-        Meeting::Now => Some(Met {
+        Meeting::Now { inside } => Some(Met {
             overlap: true,
+            inside,
             ..met(Moment::at(*start))
         }),
         Meeting::At(time) => Some(met(Moment::of(&time, course))),

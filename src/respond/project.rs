@@ -14,9 +14,14 @@
 //!
 //! The method is that of Lawson and Hanson (Solving Least Squares Problems,
 //! 1974, chapter 23) over any number: contacts enter a set of pressing ones
-//! one by one, those whose impulse would have to pull leave it. A contact that
-//! enters still closes, so its gradient is independent of those in the set, on
-//! which nothing closes: every system that is solved has one solution. Each
+//! one by one, those whose impulse would have to pull leave it. Between bodies
+//! at rest or of finite mass a contact that enters still closes, so its gradient
+//! is independent of those in the set, on which nothing closes. Moving bodies of
+//! infinite mass can make it depend on them: two that drive a disc the same way,
+//! at different speeds. Then its impulse can take over from theirs, until one
+//! of them is not needed any more and leaves. (If that never happens, the
+//! contacts cannot part at all.) So every system that is solved has one
+//! solution. Each
 //! time the set is complete, its impulses are the best that these contacts can
 //! do, and better than all before; so no set comes twice, and there are
 //! finitely many. Where results round, "better" is required to hold in numbers,
@@ -96,10 +101,15 @@ impl<S: Scalar> System<S> {
     /// nothing deflects, brings about.
     fn enter(&self, state: &State<S>, next: usize) -> Result<Option<State<S>>, S::Doubt> {
         let mut state = state.clone();
+        let others = state.pressing.clone();
         state.pressing.push(next);
         state.pressing.sort_unstable();
         while !state.pressing.is_empty() {
-            let Some(wanted) = self.solve(&state.pressing)? else {
+            let Some(wanted) = self.solve(&state.pressing, &self.closing)? else {
+                let is_new = state.pressing.len() > others.len();
+                if is_new && self.take_over(&mut state, &others, next)? {
+                    continue;
+                }
                 return Ok(None);
             };
             if state.takes(&wanted)? {
@@ -109,14 +119,51 @@ impl<S: Scalar> System<S> {
         Ok(None)
     }
 
-    /// The impulses of these contacts alone after which none of them closes
-    /// or opens, unless they depend on each other. By elimination; the matrix
-    /// is positive definite, so no pivot has to be looked for.
-    fn solve(&self, contacts: &[usize]) -> Result<Option<Vec<S>>, S::Doubt> {
+    /// Lets the impulse of a contact that depends on others grow in their
+    /// place, as far as none of theirs pulls, and those leave which stop it
+    /// there. None may.
+    fn take_over(
+        &self,
+        state: &mut State<S>,
+        others: &[usize],
+        next: usize,
+    ) -> Result<bool, S::Doubt> {
+        let Some(parts) = self.solve(others, &self.response[next])? else {
+            return Ok(false);
+        };
+        let mut first: Option<(usize, S)> = None;
+        for (&contact, part) in others.iter().zip(&parts) {
+            if part.sign()? == Greater {
+                let most = state.impulses[contact].clone() / part;
+                if first
+                    .as_ref()
+                    .map_or(Ok(Less), |(_, least)| most.compare(least))?
+                    == Less
+                {
+                    first = Some((contact, most));
+                }
+            }
+        }
+        let Some((leaving, most)) = first else {
+            return Ok(false);
+        };
+        for (&contact, part) in others.iter().zip(&parts) {
+            state.impulses[contact] = state.impulses[contact].clone() - most.clone() * part;
+        }
+        state.impulses[next] = most;
+        state.impulses[leaving] = S::from_integer(0);
+        state.pressing.retain(|contact| *contact != leaving);
+        Ok(true)
+    }
+
+    /// The impulses of these contacts alone that make up for such closing
+    /// speeds, unless the contacts depend on each other. By elimination; the
+    /// matrix is positive definite, so no pivot has to be looked for.
+    fn solve(&self, contacts: &[usize], closing: &[S]) -> Result<Option<Vec<S>>, S::Doubt> {
         let row = |&contact: &usize| {
             let entries = contacts.iter();
             let entries = entries.map(|&other| self.response[contact][other].clone());
-            entries.chain([self.closing[contact].clone()]).collect()
+            entries.chain([closing[contact].clone()]).collect()
         };
         let mut rows: Vec<Vec<S>> = contacts.iter().map(row).collect();
         for pivot in 0..rows.len() {
@@ -270,6 +317,17 @@ mod tests {
         assert_eq!(4.0 * solved[0] + 4.0 * solved[1] + 2.0 * solved[2], 8.0);
         // A channel of no play: what one side takes, the other cannot.
         assert_eq!(impulses(&[&[1, -1], &[-1, 1]], &[3, -3]), [3.0, 0.0]);
+    }
+
+    #[test]
+    fn a_contact_takes_over_from_those_that_it_depends_on() {
+        // The second closes faster in the same direction, or in one that the
+        // first two make up: (1, 0), (0, 1) and (1, 1).
+        assert_eq!(impulses(&[&[1, 1], &[1, 1]], &[7, 10]), [0.0, 10.0]);
+        let sum: &[&[i32]] = &[&[1, 0, 1], &[0, 1, 1], &[1, 1, 2]];
+        assert_eq!(impulses(sum, &[2, 3, 9]), [0.0, 0.0, 4.5]);
+        // The third takes over the 2 of the first, and then all.
+        assert_eq!(impulses(sum, &[2, 4, 8]), [0.0, 0.0, 4.0]);
     }
 
     #[test]

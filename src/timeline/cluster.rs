@@ -23,6 +23,9 @@ struct Cluster<S> {
     trigger: Foreseen,
     time: S,
     contacts: Vec<(usize, Feature)>,
+    /// Those where bodies overlap: the one that tells the time may, and walls
+    /// that end at one that is a corner.
+    overlaps: Vec<(usize, Feature)>,
     /// The discs that may be deflected.
     discs: Vec<usize>,
 }
@@ -47,13 +50,20 @@ impl<S: Timed> Timeline<S> {
             return Ok(false);
         }
         self.compute(disc)?;
+        let moment = self.forecasts[disc]
+            .as_ref()
+            .map(|next| next.foreseen(disc).moment);
+        if self.jammed.is_some() && moment == Some(self.jammed) {
+            return Ok(false);
+        }
         let Some(cluster) = self.cluster(disc)? else {
             return Ok(false);
         };
         self.turn += 1;
         let moment = cluster.trigger.moment.filter(|_| !S::ROUNDS);
         let moment = moment.unwrap_or(self.turn);
-        self.reflect(&cluster, moment)
+        self.reflect(&cluster, moment)?;
+        Ok(true)
     }
 
     /// What touches at the time of an impact, if that is more than its bodies.
@@ -65,11 +75,12 @@ impl<S: Timed> Timeline<S> {
         let Some(meeting) = forecast.meeting() else {
             return Ok(None);
         };
-        let trigger = forecast.foreseen(disc);
+        let (trigger, is_inside) = (forecast.foreseen(disc), forecast.is_inside());
         let time = meeting.time.value().not_before(&self.now);
         let mut cluster = Cluster {
             contacts: vec![(trigger.disc, trigger.feature)],
             discs: self.movable(trigger.disc, trigger.feature).collect(),
+            overlaps: Vec::new(),
             trigger,
             time,
         };
@@ -82,6 +93,11 @@ impl<S: Timed> Timeline<S> {
         cluster
             .contacts
             .sort_by_key(|&(disc, feature)| self.flights.world.names(disc, feature));
+        let overlaps = cluster.contacts.iter().copied().filter(|&(disc, feature)| {
+            let is_trigger = (disc, feature) == (trigger.disc, trigger.feature);
+            is_trigger && is_inside || self.overlaps_beside(disc, feature, &cluster.time)
+        });
+        cluster.overlaps = overlaps.collect();
         Ok((cluster.contacts.len() > 1).then_some(cluster))
     }
 
@@ -91,10 +107,12 @@ impl<S: Timed> Timeline<S> {
         let others = (0..world.discs.len()).filter(|&other| other != disc);
         let walls = (0..world.walls.len()).map(Obstacle::Wall);
         let others = others.map(Obstacle::Disc).chain(walls);
-        let others: Vec<_> = others
-            .filter(|&other| !cluster.holds(self, disc, other))
-            .collect();
+        let others: Vec<_> = others.collect();
         for obstacle in others {
+            // Of walls that end at one point, the first has brought it in.
+            if cluster.holds(self, disc, obstacle) {
+                continue;
+            }
             let Some(feature) = self.touched(cluster, disc, obstacle)? else {
                 continue;
             };
@@ -133,8 +151,9 @@ impl<S: Timed> Timeline<S> {
         gap.map(|(gap, feature)| (gap == Equal).then_some(feature))
     }
 
-    /// Brings a cluster to its time and resolves it, unless it jams.
-    fn reflect(&mut self, cluster: &Cluster<S>, moment: u64) -> Result<bool, S::Doubt> {
+    /// Brings a cluster to its time and resolves it; if it jams, what touches
+    /// then is left to the sequential rule.
+    fn reflect(&mut self, cluster: &Cluster<S>, moment: u64) -> Result<(), S::Doubt> {
         let Cluster {
             time,
             contacts,
@@ -145,12 +164,16 @@ impl<S: Timed> Timeline<S> {
             let time = S::Time::at(time.clone());
             self.flights.bring(disc, &time, moment, self.turn);
         }
-        for &(disc, feature) in contacts {
-            self.flights.world.contacts.join(disc, feature);
-        }
         let touching = contacts
             .iter()
-            .map(|&(disc, feature)| self.flights.cluster_contact(disc, feature, time));
+            .filter(|contact| !cluster.overlaps.contains(contact));
+        for &(disc, feature) in touching {
+            self.flights.world.contacts.join(disc, feature);
+        }
+        let touching = contacts.iter().map(|&(disc, feature)| {
+            let overlap = cluster.overlaps.contains(&(disc, feature));
+            self.flights.cluster_contact(disc, feature, time, overlap)
+        });
         let touching = touching.collect::<Result<Vec<_>, _>>()?;
         let world = &mut self.flights.world;
         let reflection = reflect_cluster(&mut world.discs, &touching, &world.restitution);
@@ -158,7 +181,10 @@ impl<S: Timed> Timeline<S> {
             reflection.map_err(|doubt| doubt.asking(|| self.ask_who_parts(contacts)))?;
         let parted = match reflection {
             Reflection::Parted(struck) => Some(struck),
-            Reflection::Jammed => None,
+            Reflection::Jammed => {
+                self.jammed = Some(moment);
+                None
+            }
         };
         if let Some(struck) = &parted {
             self.arbiter
@@ -167,8 +193,11 @@ impl<S: Timed> Timeline<S> {
                 let (disc, feature) = contacts[place];
                 let normal = touching[place].normal.direction.clone();
                 self.log(disc, feature, normal, (time, moment));
+                if cluster.overlaps.contains(&(disc, feature)) {
+                    self.flights.world.forget(disc, feature);
+                }
             }
-            self.part(contacts, discs);
+            self.part(cluster);
             self.now = time.clone();
         }
         for &disc in discs {
@@ -177,7 +206,7 @@ impl<S: Timed> Timeline<S> {
         for &disc in discs {
             self.forecast(disc, Effort::Bounds)?;
         }
-        Ok(parted.is_some())
+        Ok(())
     }
 
     fn ask_who_parts(&self, contacts: &[(usize, Feature)]) -> String {
@@ -198,7 +227,6 @@ impl<S: Timed> Timeline<S> {
         let place = self.flights.place(disc, feature, time, false);
         let world = &mut self.flights.world;
         world.remember(disc, feature);
-        self.nested.part(world, disc, feature);
         let (pair, end) = world.names(disc, feature);
         let contact = Contact {
             normal,
@@ -219,16 +247,20 @@ impl<S: Timed> Timeline<S> {
             step: None,
             contact: Some(Box::new(contact)),
         });
+        self.part_nested(disc, feature, time);
     }
 
     /// Remembers that the bodies of a cluster do not meet again as they move
     /// now: none of its contacts approaches.
-    fn part(&mut self, contacts: &[(usize, Feature)], discs: &[usize]) {
-        for &disc in discs {
+    fn part(&mut self, cluster: &Cluster<S>) {
+        for &disc in &cluster.discs {
             self.grazed[disc].clear();
             self.parted[disc].clear();
         }
-        for &(disc, feature) in contacts {
+        let lasts = |&(disc, feature): &(usize, Feature)| {
+            matches!(feature, Feature::Disc(_)) || !cluster.overlaps.contains(&(disc, feature))
+        };
+        for &(disc, feature) in cluster.contacts.iter().filter(|contact| lasts(contact)) {
             let turn = self.flights.turn_of(feature);
             self.parted[disc].push((feature, turn));
             if let Feature::Disc(other) = feature {

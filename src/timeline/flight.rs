@@ -32,6 +32,8 @@ pub struct Meeting<S: Kernel> {
     pub(super) feature: Feature,
     pub(super) graze: bool,
     pub(super) overlap: bool,
+    /// Whether they overlap, and do not only touch.
+    pub(super) inside: bool,
     /// The name of the time, if the meeting follows without any delay.
     pub(super) moment: Option<u64>,
 }
@@ -72,7 +74,7 @@ impl<S: Kernel> Flights<S> {
         disc: usize,
         obstacle: Obstacle,
     ) -> Result<Option<Meeting<S>>, S::Doubt> {
-        if let Some(feature) = self.world.contact(disc, obstacle) {
+        if let Some(feature) = self.contact(disc, obstacle) {
             let place = self.place(disc, feature, &self.since[disc], true);
             let approaches = self.world.approaches(disc, feature, &place.other)?;
             return Ok(approaches.then(|| self.touching(disc, feature)));
@@ -123,6 +125,7 @@ impl<S: Kernel> Flights<S> {
             feature,
             graze: met.graze,
             overlap: met.overlap,
+            inside: met.inside,
             moment: met.overlap.then_some(self.moment[late]),
         }
     }
@@ -231,14 +234,32 @@ impl<S: Kernel> Flights<S> {
         }
     }
 
-    /// The contact of a disc and a feature that have been brought to a time.
+    /// What of an obstacle a disc touches by construction. A wall that it
+    /// overlaps it may touch besides at an end, which another wall shares.
+    #[inline]
+    pub(super) fn contact(&self, disc: usize, obstacle: Obstacle) -> Option<Feature> {
+        let contact = self.world.contact(disc, obstacle);
+        contact.filter(|feature| {
+            let is_corner = !S::ROUNDS && matches!(feature, Feature::Corner(_));
+            !(is_corner && self.overlaps(disc, obstacle, &self.since[disc]))
+        })
+    }
+
+    /// Whether a disc and an obstacle are proven to overlap at a time.
+    pub(super) fn overlaps(&self, disc: usize, obstacle: Obstacle, time: &S) -> bool {
+        matches!(self.gap(disc, obstacle, time), Ok((Ordering::Less, _)))
+    }
+
+    /// The contact of a disc and a feature that have been brought to a time,
+    /// and that may overlap.
     pub(super) fn cluster_contact(
         &self,
         disc: usize,
         feature: Feature,
         time: &S,
+        overlap: bool,
     ) -> Result<ClusterContact<S>, S::Doubt> {
-        let place = self.place(disc, feature, time, false);
+        let place = self.place(disc, feature, time, overlap);
         let normal = self.world.normal(disc, feature, &place);
         let second = match feature {
             Feature::Disc(other) => Some(other as usize),
@@ -285,8 +306,8 @@ impl<S: Kernel> Flights<S> {
             return;
         }
         let velocity = self.world.discs[disc].velocity.clone();
-        self.world.leave_contacts(disc, &velocity);
         self.world.discs[disc] = after;
+        self.world.leave_contacts(disc, &velocity);
         self.since[disc] = time.clone();
         self.moment[disc] = turn;
         self.turn[disc] = turn;

@@ -146,6 +146,12 @@ impl<S: Kernel> Forecast<S> {
         self.foresight().is_some_and(changed)
     }
 
+    /// Whether the two overlap already, and do not only touch. What rounds does
+    /// not tell.
+    pub(super) fn is_inside(&self) -> bool {
+        !S::ROUNDS && self.meeting().is_some_and(|meeting| meeting.inside)
+    }
+
     /// Whether the two only pass in tangency.
     #[inline]
     pub(super) fn is_graze(&self) -> bool {
@@ -183,7 +189,7 @@ fn meet<S: Timed>(
 ) -> Result<Option<Meeting<S>>, S::Doubt> {
     flights.meet(disc, obstacle).or_else(|doubt| {
         let doubt = doubt.asking(|| obstacle.ask(disc, "meet"));
-        match flights.world.contact(disc, obstacle) {
+        match flights.contact(disc, obstacle) {
             Some(feature) => {
                 let approaches = arbiter.approaches(flights, disc, feature, doubt)?;
                 Ok(approaches.then(|| flights.touching(disc, feature)))
@@ -294,7 +300,10 @@ impl Forecaster {
         disc: usize,
         effort: Effort,
         arbiter: &mut S::Arbiter,
-        (wanted, skips): (impl Fn(Obstacle) -> bool, impl Fn(Feature, bool) -> bool),
+        (wanted, skips): (
+            impl Fn(Obstacle) -> bool,
+            impl Fn(Obstacle, Feature, bool) -> bool,
+        ),
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
         let mut candidates = std::mem::take(&mut self.candidates);
         self.neighbours
@@ -320,7 +329,7 @@ impl Forecaster {
         disc: usize,
         (candidates, effort): (impl Iterator<Item = Obstacle>, Effort),
         arbiter: &mut S::Arbiter,
-        skips: impl Fn(Feature, bool) -> bool,
+        skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
         let horizon = self.horizon;
         let mut first = First::new(flights, horizon);
@@ -372,7 +381,7 @@ impl Bounds {
         disc: usize,
         candidates: impl Iterator<Item = Obstacle>,
         survivors: &mut Vec<Survivor>,
-        skips: impl Fn(Feature, bool) -> bool,
+        skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) {
         survivors.clear();
         let earliest = self.flights.since[disc].lo();
@@ -386,7 +395,7 @@ impl Bounds {
             }
             let (earliest, meeting) = match self.flights.meet(disc, obstacle) {
                 Ok(None) => continue,
-                Ok(Some(meeting)) if skips(meeting.feature, meeting.overlap) => continue,
+                Ok(Some(meeting)) if skips(obstacle, meeting.feature, meeting.inside) => continue,
                 Ok(Some(meeting)) => (meeting.time.lo(), Some(meeting)),
                 Err(_) => (self.flights.apart_until(disc, obstacle), None),
             };
@@ -435,10 +444,11 @@ impl<'a, S: Timed> First<'a, S> {
         disc: usize,
         obstacle: Obstacle,
         arbiter: &mut S::Arbiter,
-        skips: impl Fn(Feature, bool) -> bool,
+        skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) -> Result<(), S::Doubt> {
         let met = meet(self.flights, disc, obstacle, arbiter)?;
-        let Some(meeting) = met.filter(|meeting| !skips(meeting.feature, meeting.overlap)) else {
+        let Some(meeting) = met.filter(|meeting| !skips(obstacle, meeting.feature, meeting.inside))
+        else {
             return Ok(());
         };
         if meeting.time.bounds().lo() <= self.horizon {

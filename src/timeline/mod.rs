@@ -121,6 +121,8 @@ pub struct Timeline<S: Timed> {
     parted: Vec<Vec<(Feature, u64)>>,
     nested: Nested,
     rule: Simultaneous,
+    /// The time at which a cluster jams.
+    jammed: Option<u64>,
     /// Impacts that have been resolved and not told yet.
     pending: VecDeque<Impact<S>>,
     now: S,
@@ -167,6 +169,7 @@ impl<S: Timed> Timeline<S> {
             grazed: vec![Vec::new(); count],
             parted: vec![Vec::new(); count],
             rule: setup.simultaneous,
+            jammed: None,
             pending: VecDeque::new(),
             nested,
             now: S::from_integer(0),
@@ -273,7 +276,7 @@ impl<S: Timed> Timeline<S> {
     }
 
     /// Resolves an impact, and forecasts what comes of it.
-    fn resolve(&mut self, disc: usize, forecast: Forecast<S>) -> Result<Impact<S>, S::Doubt> {
+    fn resolve(&mut self, disc: usize, mut forecast: Forecast<S>) -> Result<Impact<S>, S::Doubt> {
         self.turn += 1;
         let met = forecast.foreseen(disc);
         let (first, feature) = (met.disc, met.feature);
@@ -284,12 +287,17 @@ impl<S: Timed> Timeline<S> {
         self.arbiter.note(&met, changed, moment);
         let (time, contact) = match self.leap(&met) {
             Some(leapt) => leapt,
-            None => self.walk(disc, forecast, &met, moment)?,
+            None => self.walk(disc, &mut forecast, &met, moment)?,
         };
+        let inside = forecast.is_inside() || self.overlaps_beside(first, feature, &time);
         let world = &mut self.flights.world;
-        world.contacts.join(first, feature);
-        self.nested.part(world, first, feature);
+        if inside {
+            world.forget(first, feature);
+        } else {
+            world.contacts.join(first, feature);
+        }
         let (pair, end) = world.names(first, feature);
+        self.part_nested(first, feature, &time);
         for disc in changed.into_iter().flatten() {
             self.grazed[disc].clear();
             self.parted[disc].clear();
@@ -311,12 +319,32 @@ impl<S: Timed> Timeline<S> {
         })
     }
 
+    /// Whether a disc that is at a corner at some time overlaps a wall that ends
+    /// there: then it need not part from that. Rounding makes overlaps anywhere.
+    fn overlaps_beside(&self, disc: usize, feature: Feature, time: &S) -> bool {
+        let world = &self.flights.world;
+        let mut walls = (0..world.walls.len()).map(Obstacle::Wall);
+        !S::ROUNDS
+            && matches!(feature, Feature::Corner(_))
+            && walls.any(|wall| {
+                world.is_part_of(feature, wall) && self.flights.overlaps(disc, wall, time)
+            })
+    }
+
+    /// Notes that a disc has collided with a feature: where the two do not
+    /// overlap, they have parted if they were nested.
+    fn part_nested(&mut self, disc: usize, feature: Feature, time: &S) {
+        let flights = &self.flights;
+        let overlaps = |wall| flights.overlaps(disc, Obstacle::Wall(wall), time);
+        self.nested.part(&flights.world, disc, feature, overlaps);
+    }
+
     /// Takes the bodies of an impact that is forecast for a disc to its time,
     /// and lets them collide.
     fn walk(
         &mut self,
         disc: usize,
-        mut forecast: Forecast<S>,
+        forecast: &mut Forecast<S>,
         met: &Foreseen,
         moment: u64,
     ) -> Result<(S, Contact<S>), S::Doubt> {
@@ -371,10 +399,10 @@ impl<S: Timed> Timeline<S> {
         effort: Effort,
     ) -> Result<(), S::Doubt> {
         let (flights, grazed, nested) = (&self.flights, &self.grazed[disc], &self.nested);
-        let skips = |feature, overlap| {
+        let skips = |obstacle, feature, inside| {
             let grazed =
                 !grazed.is_empty() && grazed.contains(&(feature, flights.turn_of(feature)));
-            grazed || overlap && nested.holds(&flights.world, disc, feature)
+            grazed || inside && nested.holds(disc, obstacle)
         };
         let next = if flights.world.discs[disc].is_movable() {
             let parted = &self.parted[disc];

@@ -24,17 +24,33 @@ impl Nested {
         Self { pairs }
     }
 
-    /// Whether a disc has not parted from a feature.
+    /// Whether a disc has not parted from an obstacle.
     #[inline]
-    pub(super) fn holds<S>(&self, world: &World<S>, disc: usize, feature: Feature) -> bool {
-        let mut pairs = self.pairs.iter();
-        pairs.any(|&pair| is_of(world, pair, disc, feature))
+    pub(super) fn holds(&self, disc: usize, obstacle: Obstacle) -> bool {
+        let pair = match obstacle {
+            Obstacle::Disc(other) => (disc.min(other), Obstacle::Disc(disc.max(other))),
+            Obstacle::Wall(_) => (disc, obstacle),
+        };
+        !self.pairs.is_empty() && self.pairs.contains(&pair)
     }
 
-    /// Forgets a pair that has collided, and thus parted before.
-    pub(super) fn part<S>(&mut self, world: &World<S>, disc: usize, feature: Feature) {
-        self.pairs
-            .retain(|&pair| !is_of(world, pair, disc, feature));
+    /// Forgets a pair that has collided, and thus parted before. The corner
+    /// that a disc collides with may be that of another wall, while it still
+    /// `overlaps` the one that it is nested in.
+    pub(super) fn part<S>(
+        &mut self,
+        world: &World<S>,
+        disc: usize,
+        feature: Feature,
+        overlaps: impl Fn(usize) -> bool,
+    ) {
+        self.pairs.retain(|&pair| {
+            let is_nested = match (pair.1, feature) {
+                (Obstacle::Wall(wall), Feature::Corner(_)) => overlaps(wall),
+                _ => false,
+            };
+            is_nested || !is_of(world, pair, disc, feature)
+        });
     }
 }
 

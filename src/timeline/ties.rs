@@ -7,35 +7,38 @@
 
 use super::Timeline;
 use super::arbiter::Timed;
+use super::flight::Meeting;
 use super::forecast::{Effort, Forecast};
-use crate::body::Feature;
 
 impl<S: Timed> Timeline<S> {
     /// Brings all bodies whose impacts are simultaneous with the first one to
-    /// their contact.
+    /// their contact. Where some have been brought to that time before, the
+    /// others join them, and those stay.
     pub(super) fn gather(&mut self, first: usize) -> Result<(), S::Doubt> {
         let mut tied = std::mem::take(&mut self.tied);
         tied.push(first);
-        let Some(time) = self.meeting_of(first).map(|(time, _)| time) else {
+        let met: Vec<_> = tied
+            .iter()
+            .filter_map(|&disc| Some((disc, self.meeting_of(disc)?)))
+            .collect();
+        let named = met.iter().find(|(_, meeting)| meeting.moment.is_some());
+        let Some((_, Meeting { time, moment, .. })) = named.or(met.last()) else {
             return Ok(());
         };
         self.turn += 1;
-        let met: Vec<_> = tied
-            .iter()
-            .filter_map(|&disc| Some((disc, self.meeting_of(disc)?.1)))
-            .collect();
+        let moment = moment.unwrap_or(self.turn);
         let mut changed: Vec<_> = met
             .iter()
-            .flat_map(|&(disc, feature)| self.movable(disc, feature))
+            .flat_map(|(disc, meeting)| self.movable(*disc, meeting.feature))
             .collect();
         changed.sort_unstable();
         changed.dedup();
         for &disc in &changed {
-            self.flights.bring(disc, &time, self.turn, self.turn);
+            self.flights.bring(disc, time, moment, self.turn);
             self.forecaster.update(&self.flights, disc);
         }
-        for (disc, feature) in met {
-            self.flights.world.contacts.join(disc, feature);
+        for (disc, meeting) in &met {
+            self.flights.world.contacts.join(*disc, meeting.feature);
         }
         for disc in changed {
             self.forecast(disc, Effort::Bounds)?;
@@ -43,9 +46,9 @@ impl<S: Timed> Timeline<S> {
         Ok(())
     }
 
-    /// When a disc meets what.
-    fn meeting_of(&self, disc: usize) -> Option<(S::Time, Feature)> {
-        let meeting = self.forecasts[disc].as_ref().and_then(Forecast::meeting)?;
-        Some((meeting.time.clone(), meeting.feature))
+    /// What a disc meets, and when.
+    fn meeting_of(&self, disc: usize) -> Option<Meeting<S>> {
+        let meeting = self.forecasts[disc].as_ref().and_then(Forecast::meeting);
+        meeting.cloned()
     }
 }

@@ -148,3 +148,40 @@ fn an_impact_undoes_what_was_to_come() {
     assert_encloses(&outcome.impacts[0].time, "7/5");
     assert_surd(&outcome.impacts[1].time, ["47/10", "-1/20"], "176");
 }
+
+/// Head-on in the direction (1, 2), at the irrational time (√20 - 2)/√5: the
+/// first disc stops, and so does not meet the wall below. That its velocity is
+/// zero no enclosure can tell.
+#[test]
+fn who_stops_meets_nothing() {
+    let scene = lasting("4")
+        .disc(Disc::at([0, 0], 1).velocity([1, 2]))
+        .disc(Disc::at([2, 4], 1))
+        .wall([-9, -9], [9, -9]);
+    assert_eq!(names(&exactly(&scene.build().unwrap()).impacts), ["d0 d1"]);
+}
+
+/// From four sides: each touches both of its neighbours at 3 - √2. Whatever
+/// their names, the first two impacts turn the first disc by a quarter each
+/// time, the other two the one across from it, and each goes back.
+#[test]
+fn four_at_once() {
+    let around = [[0, 1], [0, -1], [-1, 0], [1, 0]];
+    let crosswise = [[0, 1], [-1, 0], [0, -1], [1, 0]];
+    let pairs = [
+        ["d0 d2", "d0 d3", "d1 d2", "d1 d3"],
+        ["d0 d1", "d0 d3", "d1 d2", "d2 d3"],
+    ];
+    for (sides, pairs) in [around, crosswise].into_iter().zip(pairs) {
+        let discs = sides.map(|[x, y]| Disc::at([3 * x, 3 * y], 1).velocity([-x, -y]));
+        let outcome = exactly(&lasting("2").discs(discs).build().unwrap());
+        assert_eq!(names(&outcome.impacts), pairs);
+        for impact in &outcome.impacts {
+            assert_surd(&impact.time, ["3", "-1"], "2");
+        }
+        for (disc, [x, y]) in outcome.end.iter().zip(sides) {
+            assert_encloses(&disc.velocity.x, &x.to_string());
+            assert_encloses(&disc.velocity.y, &y.to_string());
+        }
+    }
+}

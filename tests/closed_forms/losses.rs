@@ -156,3 +156,17 @@ fn a_perfectly_inelastic_fall_ends() {
     assert_log(&outcome, &[("1", "d0 w0")]);
     assert_end(&outcome, &[["0", "1", "0", "0"]]);
 }
+
+/// A wall takes all of the speed towards it: the disc slides, and past the wall's
+/// end at 1. There, at (3, 1), another one falls on it at 3, and nothing is below.
+#[test]
+fn who_slides_off_a_wall_does_not_touch_it() {
+    let scene = lasting("4")
+        .disc(Disc::at([0, 1], 1).velocity([1, -1]))
+        .disc(Disc::at([3, 6], 1).velocity([0, -1]))
+        .wall([-1, 0], [1, 0])
+        .restitution(newton("1", Some("0"), None));
+    let outcome = exactly(&scene.build().unwrap());
+    assert_log(&outcome, &[("0", "d0 w0"), ("3", "d0 d1")]);
+    assert_end(&outcome, &[["4", "0", "1", "-1"], ["3", "3", "0", "0"]]);
+}

@@ -91,6 +91,60 @@ fn concentric_discs_meet_after_they_have_parted() {
     assert_log(&outcome, &[("4", "d0 w0"), ("6", "d0 d1")]);
 }
 
+/// d0 leaves d1 at the very time, 2, at which a wall sends it back.
+#[test]
+fn concentric_discs_meet_as_soon_as_they_have_parted() {
+    let scene = lasting("3")
+        .disc(Disc::at([0, 0], 1).velocity([1, 0]))
+        .disc(Disc::at([0, 0], 1))
+        .wall([3, -1], [3, 1]);
+    let outcome = exactly(&scene.build().unwrap());
+    assert_log(&outcome, &[("2", "d0 w0"), ("2", "d0 d1")]);
+    assert_end(&outcome, &[["2", "0", "0", "0"], ["-1", "0", "-1", "0"]]);
+}
+
+/// A centre on one wall: the other one, which ends where that does, is an
+/// obstacle all the same. The impact has the name of the lowest wall there.
+#[test]
+fn a_centre_on_a_wall_collides_with_the_next_wall() {
+    let scene = lasting("2")
+        .disc(Disc::at([0, -1], 2).velocity([0, 1]))
+        .wall([0, 0], [0, -9])
+        .wall([0, 0], [9, 0]);
+    let outcome = exactly(&scene.build().unwrap());
+    assert_log(&outcome, &[("0", "d0 w0 from")]);
+    assert_end(&outcome, &[["0", "-3", "0", "-1"]]);
+}
+
+/// The disc overlaps the first wall and touches the end of the second one. The
+/// first turns (2, -1) into (2, 1), which approaches that end: along the
+/// normal (3, -4)/5 go 2/5, twice of which are taken.
+#[test]
+fn who_parts_from_an_overlapped_wall_may_meet_the_next_one() {
+    let scene = lasting("1")
+        .disc(Disc::at([-3, 4], 5).velocity([2, -1]))
+        .wall([-9, 0], [0, 0])
+        .wall([0, 0], [4, -3]);
+    let outcome = exactly(&scene.build().unwrap());
+    assert_log(&outcome, &[("0", "d0 w0"), ("0", "d0 w0 to")]);
+    assert_end(&outcome, &[["-37/25", "141/25", "38/25", "41/25"]]);
+}
+
+/// The disc, of radius 3/2, overlaps the end of the first wall, (0, 0), and the
+/// interior of the second one, and approaches both. That end comes first by
+/// name: with the normal (-4, -3)/5 it turns (0, -1) into (24, -7)/25, which
+/// approaches the second wall, and that turns it into (24, 7)/25.
+#[test]
+fn who_parts_from_an_overlapped_corner_may_meet_a_wall_there() {
+    let scene = lasting("1")
+        .disc(Disc::at(["4/5", "3/5"], "3/2").velocity([0, -1]))
+        .wall([0, 0], [-4, -3])
+        .wall([0, 0], [9, 0]);
+    let outcome = exactly(&scene.build().unwrap());
+    assert_log(&outcome, &[("0", "d0 w0 from"), ("0", "d0 w1")]);
+    assert_end(&outcome, &[["44/25", "22/25", "24/25", "7/25"]]);
+}
+
 #[test]
 fn touching_and_approaching_is_an_impact_at_once() {
     let outcome = pair("2", [[1, 0], [0, 0]]);

@@ -155,3 +155,21 @@ fn to_and_fro() {
     let walls = ["d0 w1", "d0 w0", "d0 w1", "d0 w0", "d0 w1"];
     assert_eq!(names(&outcome.impacts), walls);
 }
+
+/// d1 comes along the line of the first wall, with its centre on it, and turns
+/// at the end of the third one at 5/2, when it is at x = -7/2. From there on
+/// it is at (t - 6, 3), and d0 at (-2, t - 1). They meet at a distance of 2 =
+/// √2 |t - 4|, at 4 - √2, and exchange what they have along (-1, 1): (-1, 1)/2
+/// and (1, -1)/2. So d0 goes on at (1, 0), along the wall below.
+#[test]
+fn the_end_of_one_wall_on_the_line_of_another() {
+    let scene = lasting("5")
+        .disc(Disc::at([-2, -1], "1/2").velocity([0, 1]))
+        .disc(Disc::at([-1, 3], "3/2").velocity([-1, 0]))
+        .wall([-5, -5], [3, -5])
+        .wall([-5, 3], [3, 3])
+        .wall([-5, 3], [-5, -5]);
+    let outcome = exactly(&scene.build().unwrap());
+    assert_eq!(names(&outcome.impacts), ["d1 w1 from", "d0 d1"]);
+    assert_surd(&outcome.impacts[1].time, ["4", "-1"], "2");
+}

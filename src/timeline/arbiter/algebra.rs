@@ -26,12 +26,16 @@ pub struct Algebra {
     vain: u32,
     /// The names of the times at which the discs' legs begin.
     moments: Vec<u64>,
+    /// The speed of the fastest disc at the start.
+    fastest: f64,
 }
 
 impl Arbiter<Exact> for Algebra {
     fn new(world: &World<Exact>, symmetries: &[Symmetry]) -> Self {
         let discs = world.discs.len();
+        let speeds = world.discs.iter().map(|disc| size(&disc.velocity));
         Self {
+            fastest: speeds.fold(0.0, f64::max),
             history: History::new(discs),
             images: Images::new(symmetries.to_vec()),
             replay: Replay::new(world),
@@ -78,7 +82,7 @@ impl Arbiter<Exact> for Algebra {
         let feature = obstacle.whole();
         let cause = self.history.cause(disc, feature, false);
         let replay = self.replay.as_mut();
-        let Some(replay) = replay.filter(|_| is_sharp(flights, disc, feature)) else {
+        let Some(replay) = replay.filter(|_| is_sharp(flights, self.fastest, disc, feature)) else {
             return Err(doubt);
         };
         let gap = replay.gap(&self.history, trigger, cause);
@@ -99,7 +103,7 @@ impl Arbiter<Exact> for Algebra {
         }
         let are_sharp = [one, other]
             .iter()
-            .all(|met| is_sharp(flights, met.disc, met.feature));
+            .all(|met| is_sharp(flights, self.fastest, met.disc, met.feature));
         let replay = self.replay.as_mut().filter(|_| are_sharp);
         let Some(replay) = replay else {
             return Err(doubt);
@@ -119,7 +123,7 @@ impl Arbiter<Exact> for Algebra {
     ) -> Result<Ordering, Undecided> {
         let cause = self.cause(one);
         let limit = Expression::from_exact(time, Limits::default());
-        let is_sharp = is_sharp(flights, one.disc, one.feature);
+        let is_sharp = is_sharp(flights, self.fastest, one.disc, one.feature);
         let replay = self.replay.as_mut().filter(|_| is_sharp);
         let (Some(replay), Some(limit)) = (replay, limit) else {
             return Err(doubt);
@@ -139,13 +143,17 @@ impl Arbiter<Exact> for Algebra {
     ) -> Result<Option<Meeting<Exact>>, Undecided> {
         let feature = obstacle.whole();
         let replay = self.replay.as_mut();
-        let Some(replay) = replay.filter(|_| is_sharp(flights, disc, feature)) else {
+        let Some(replay) = replay.filter(|_| is_sharp(flights, self.fastest, disc, feature)) else {
             return Err(doubt);
         };
         let cause = self.history.cause(disc, feature, false);
         let met = replay.meet(&self.history, cause);
+        // A disc that was brought to a time may be found to touch then.
+        let is_brought = |disc: usize| flights.moment_of(disc) != self.moments[disc];
+        let touches = is_brought(disc)
+            || matches!(feature, Feature::Disc(other) if is_brought(other as usize));
         self.weigh(match &met {
-            Ok(Some(meeting)) => meeting.graze || meeting.overlap,
+            Ok(Some(meeting)) => meeting.graze || meeting.overlap || touches,
             Ok(None) => true,
             Err(_) => false,
         });
@@ -166,7 +174,7 @@ impl Arbiter<Exact> for Algebra {
         let later = self.later(disc, feature);
         let is_here = flights.moment_of(disc) == self.moments[later];
         let replay = self.replay.as_mut();
-        match replay.filter(|_| is_here && is_sharp(flights, disc, feature)) {
+        match replay.filter(|_| is_here && is_sharp(flights, self.fastest, disc, feature)) {
             Some(replay) => replay
                 .approach(&self.history, cause)
                 .map_err(|open| doubt.after(open)),
@@ -216,6 +224,7 @@ fn adopt(meeting: Meeting<Expression>, moment: u64) -> Meeting<Exact> {
         feature: meeting.feature,
         graze: meeting.graze,
         overlap: meeting.overlap,
+        inside: meeting.inside,
         moment: meeting.overlap.then_some(moment),
     }
 }
@@ -223,21 +232,30 @@ fn adopt(meeting: Meeting<Expression>, moment: u64) -> Meeting<Exact> {
 /// Whether enclosures of the bodies' motions are so narrow that what they
 /// leave open is worth an effort. Where they are not, it is for more bits to
 /// decide.
-fn is_sharp(flights: &Flights<Exact>, disc: usize, feature: Feature) -> bool {
+fn is_sharp(flights: &Flights<Exact>, fastest: f64, disc: usize, feature: Feature) -> bool {
+    let discs = &flights.world.discs;
     let is_sharp = |disc: usize| {
-        let body = &flights.world.discs[disc];
-        [&body.position, &body.velocity].into_iter().all(is_narrow)
+        let body = &discs[disc];
+        is_narrow(&body.position, body.radius.hull().lo()) && is_narrow(&body.velocity, fastest)
     };
     is_sharp(disc) && !matches!(feature, Feature::Disc(other) if !is_sharp(other as usize))
 }
 
-/// Whether the bounds of a vector are close together, measured by its length.
-fn is_narrow(vector: &Vec2<Exact>) -> bool {
-    let bounds = [&vector.x, &vector.y].map(Exact::hull);
-    let width = |bounds: Interval| bounds.hi() - bounds.lo();
-    let size = |bounds: Interval| bounds.hi().abs().max(bounds.lo().abs());
-    let [width, size] = [bounds.map(width), bounds.map(size)].map(|[x, y]| x.max(y));
-    width <= size * NARROW
+/// Whether the bounds of a vector are close together, measured by its length or
+/// by another: it may be zero.
+fn is_narrow(vector: &Vec2<Exact>, length: f64) -> bool {
+    let widths = bounds(vector).map(|bounds| bounds.hi() - bounds.lo());
+    widths[0].max(widths[1]) <= size(vector).max(length) * NARROW
+}
+
+/// At least the greater of a vector's two coordinates.
+fn size(vector: &Vec2<Exact>) -> f64 {
+    let sizes = bounds(vector).map(|bounds| bounds.hi().abs().max(bounds.lo().abs()));
+    sizes[0].max(sizes[1])
+}
+
+fn bounds(vector: &Vec2<Exact>) -> [Interval; 2] {
+    [&vector.x, &vector.y].map(Exact::hull)
 }
 
 /// A few times the precision of binary64, in which bounds are looked at.

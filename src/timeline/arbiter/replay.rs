@@ -72,11 +72,27 @@ impl Replay {
         match self.feature(cause.partner) {
             Feature::Disc(other) => self.stage.meet(disc, Obstacle::Disc(other as usize)),
             Feature::Wall(wall) => self.stage.meet(disc, Obstacle::Wall(wall as usize)),
-            Feature::Corner(corner) => {
-                let wall = self.stage.world.corners[corner as usize].wall;
-                self.stage.meet(disc, Obstacle::Wall(wall as usize))
+            Feature::Corner(corner) => self.meet_corner(disc, corner),
+        }
+    }
+
+    /// When a disc meets a corner, as the end of one of the walls that end
+    /// there: it may overlap another and move away from that.
+    fn meet_corner(
+        &self,
+        disc: usize,
+        corner: u32,
+    ) -> Result<Option<Meeting<Expression>>, Undecided> {
+        let walls = self.stage.world.walls.iter().enumerate();
+        let walls = walls.filter(|(_, wall)| wall.corners.contains(&corner));
+        for (wall, _) in walls {
+            let met = self.stage.meet(disc, Obstacle::Wall(wall))?;
+            let met = met.filter(|meeting| meeting.feature == Feature::Corner(corner));
+            if met.is_some() {
+                return Ok(met);
             }
         }
+        Ok(None)
     }
 
     /// The time of an impact.
@@ -171,10 +187,13 @@ impl Replay {
         for &contact in &cluster.contacts {
             self.bring(contact, &time);
         }
+        let trigger = cluster.trigger;
         let contacts = cluster.contacts.iter().map(|contact| {
             let disc = self.legs[&contact.leg].index;
             let feature = self.feature(contact.partner);
-            self.stage.cluster_contact(disc, feature, &time)
+            let is_trigger = (contact.leg, contact.partner) == (trigger.leg, trigger.partner);
+            let overlap = trigger.at_once && is_trigger;
+            self.stage.cluster_contact(disc, feature, &time, overlap)
         });
         let contacts = contacts.collect::<Result<Vec<_>, _>>()?;
         let World {
@@ -217,6 +236,9 @@ impl Replay {
         let (disc, feature) = (self.legs[&cause.leg].index, self.feature(cause.partner));
         let place = self.stage.place(disc, feature, &time, cause.at_once);
         self.stage.world.collide(disc, feature, place)?;
+        if cause.at_once {
+            self.stage.world.forget(disc, feature);
+        }
         let first = match history.origin(leg) {
             Origin::Impact(_, Side::Second) => leg.before(),
             _ => leg,
