@@ -38,6 +38,7 @@ pub use interval::Interval;
 pub(crate) use isqrt::exact_sqrt;
 pub use number::{Number, NumberError};
 pub(crate) use radius::Radius;
+pub(crate) use rounding::Rounding;
 #[cfg(feature = "json")]
 pub(crate) use rounding::nearest_binary64;
 pub use step::Step;

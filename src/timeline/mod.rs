@@ -218,6 +218,12 @@ impl<S: Timed> Timeline<S> {
         &self.now
     }
 
+    /// The discs as they are kept: each where its own last impact left it, with
+    /// the time of that.
+    pub fn bodies(&self) -> impl Iterator<Item = (&Disc<S>, &S)> {
+        self.flights.world.discs.iter().zip(&self.flights.since)
+    }
+
     /// The discs as they are at a time: not before the latest impact, nor
     /// after the next one.
     pub fn discs_at(&self, time: &S) -> Vec<Disc<S>> {
