@@ -17,6 +17,7 @@ mod energy;
 mod finding;
 mod flight;
 mod margin;
+mod minimise;
 mod passes;
 mod real;
 mod record;
@@ -34,6 +35,7 @@ use flight::Trial;
 use record::Record;
 
 pub use finding::{Finding, Kind, Run};
+pub use minimise::minimise;
 
 /// How much of a scene's runs is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +54,7 @@ impl Default for Effort {
     fn default() -> Self {
         Self {
             impacts: 200,
-            resumptions: 8,
+            resumptions: 200,
             frames: 8,
             passes: 3,
         }
@@ -86,15 +88,18 @@ pub fn check(scene: &Scene) -> Result<(), Finding> {
 ///
 /// The first finding.
 pub fn check_with(scene: &Scene, effort: &Effort) -> Result<(), Finding> {
-    guarded::<f64>(scene, effort)
+    checked::<f64>(scene, effort)
+}
+
+fn checked<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(), Finding> {
+    guarded(trial::<S>(Run::Timeline), || examine::<S>(scene, effort))
 }
 
 /// What panics is found, too.
-fn guarded<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(), Finding> {
-    let checked = catch_unwind(AssertUnwindSafe(|| examine::<S>(scene, effort)));
-    checked.unwrap_or_else(|panic| {
+fn guarded(trial: Trial, work: impl FnOnce() -> Result<(), Finding>) -> Result<(), Finding> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
         let fault = (Kind::Panic(message(&*panic)), 0.0);
-        Err(trial::<S>(Run::Timeline).finding(fault, 0, None, 0.0))
+        Err(trial.finding(fault, 0, None, 0.0))
     })
 }
 
@@ -132,3 +137,6 @@ fn examine_timeline<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(),
     resume::judge::<S>(scene, &record, effort)?;
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;
