@@ -48,6 +48,29 @@ impl Course {
         compare(&self.ends[1], &self.segment(), bound) != Greater
     }
 
+    /// Whether the centre moves away from the target at the start, more than it
+    /// might if it were elsewhere by a margin.
+    pub(super) fn departs(&self, margin: &Real) -> bool {
+        let [from, to] = &self.ends;
+        let way = to.minus(from);
+        let outwards = match foot(from, &self.segment()) {
+            Foot::Beyond(offset) => offset.dot(&way),
+            Foot::Between(offset, along) => outwards(&offset, &along, &way),
+        };
+        exceeds(&outwards, &way, margin)
+    }
+
+    /// Whether the line of the way passes a point at no less than `bound`.
+    pub(super) fn passes(&self, bound: &Real) -> bool {
+        let Target::Point(point) = &self.target else {
+            return false;
+        };
+        let [from, to] = &self.ends;
+        let way = to.minus(from);
+        let moment = from.minus(point).cross(&way).square();
+        moment >= &bound.square() * &way.norm_squared()
+    }
+
     /// About how far from the target the centre starts and ends.
     pub(super) fn distances(&self) -> [f64; 2] {
         let segment = self.segment();
@@ -73,6 +96,21 @@ impl Course {
             Target::Segment(wall) => wall.clone(),
         }
     }
+}
+
+/// How fast a point moves away from a line, times the length of `along`.
+pub(super) fn outwards(offset: &Point, along: &Point, velocity: &Point) -> Real {
+    let drift = velocity.cross(along);
+    match offset.cross(along).sign() {
+        Less => &Real::zero() - &drift,
+        _ => drift,
+    }
+}
+
+/// Whether a product with a vector is greater than a margin times its length.
+pub(super) fn exceeds(product: &Real, vector: &Point, margin: &Real) -> bool {
+    let allowed = &margin.square() * &vector.norm_squared();
+    product.sign() == Greater && product.square() > allowed
 }
 
 /// Of a segment, where the perpendicular from a point meets its line.

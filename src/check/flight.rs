@@ -9,7 +9,8 @@ use super::bodies::discs;
 use super::energy::drift;
 use super::finding::{Finding, Kind, Run};
 use super::record::{Claim, Record, names};
-use super::window::{Fault, Window};
+use super::verify::Fault;
+use super::window::Window;
 use crate::world::Obstacle;
 
 /// Judges a record.

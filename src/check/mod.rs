@@ -23,6 +23,7 @@ mod real;
 mod record;
 #[cfg(feature = "json")]
 mod resume;
+mod verify;
 mod window;
 
 use std::any::Any;

@@ -1,19 +1,14 @@
 //! What truly happens in free flight up to a time, from a stored state.
 //!
-//! Nothing is predicted: it is *verified*, exactly, that bodies said to collide
-//! touch and approach then, and that no others have got into each other before
-//! (see [`margin`](super::margin) for how exactly that has to hold). All of it
-//! are signs of polynomials in the stored numbers, so there is always an answer.
-
-use std::cmp::Ordering::{Greater, Less};
+//! Nothing is predicted: it is decided, exactly, whether bodies have got into
+//! each other by then (see [`margin`](super::margin) for what that means). All of
+//! it are signs of polynomials in the stored numbers, so there is always an
+//! answer.
 
 use super::bodies::{Bodies, Motion, discs, length};
 use super::course::{Course, Target};
-use super::finding::Kind;
 use super::margin::margin;
 use super::real::{Point, Real};
-use super::record::Claim;
-use crate::body::End;
 use crate::world::Obstacle;
 
 /// The flight of all bodies from where they are stored up to a time.
@@ -28,9 +23,6 @@ pub(super) struct Window<'a> {
     pub(super) slack: f64,
 }
 
-/// What is wrong, and by how many margins.
-pub(super) type Fault = (Kind, f64);
-
 impl<'a> Window<'a> {
     pub(super) fn new(bodies: &'a Bodies, motions: &'a [Motion], time: f64) -> Self {
         Self {
@@ -43,7 +35,7 @@ impl<'a> Window<'a> {
     }
 
     /// How far apart the bodies of a pair are when they touch.
-    fn reach(&self, (disc, obstacle): (usize, Obstacle)) -> Real {
+    pub(super) fn reach(&self, (disc, obstacle): (usize, Obstacle)) -> Real {
         let reach = Real::from(self.bodies.radii[disc]);
         match obstacle {
             Obstacle::Disc(other) => &reach + &Real::from(self.bodies.radii[other]),
@@ -153,109 +145,12 @@ impl<'a> Window<'a> {
         !self.course(pair).ends_within(&self.reach(pair))
     }
 
-    /// Whether a pair comes to touch, and approaches at first.
+    /// Whether a pair may come to touch: it does but for the margin, and does not
+    /// part from the first, unless as in a graze.
     pub(super) fn may_meet(&self, pair: (usize, Obstacle)) -> bool {
-        let course = self.course(pair);
-        let bound = &self.reach(pair) + &Real::from(self.margin(pair));
-        let [start, _] = course.distances();
-        course.gets_nearer_than(&bound) && course.least() <= start
-    }
-
-    /// Whether two bodies that are said to collide do so, at the end.
-    ///
-    /// # Errors
-    ///
-    /// They do not touch, they part, or it is another part of a wall.
-    pub(super) fn verify(&self, claim: &Claim) -> Result<(), Fault> {
-        let pair = claim.pair;
         let (course, margin) = (self.course(pair), self.margin(pair));
-        let bound = &self.reach(pair) + &Real::from(margin);
-        if !course.ends_within(&bound) {
-            let off = course.distances()[1] - self.reach(pair).to_f64();
-            return Err((self.untouched(&course, &bound), off / margin));
-        }
-        let beyond = self.parting(claim, &course, margin);
-        beyond.map_or(Ok(()), |beyond| Err((Kind::Spurious, beyond)))
+        let (reach, margin) = (self.reach(pair), Real::from(margin));
+        course.gets_nearer_than(&(&reach + &margin))
+            && (!course.departs(&margin) || course.passes(&(&reach - &margin)))
     }
-
-    /// What it is that bodies collide which do not touch.
-    fn untouched(&self, course: &Course, bound: &Real) -> Kind {
-        let [from, to] = &course.ends;
-        let way = to.minus(from);
-        let far = to.moved(&way, &Real::from(f64::from(1 << 20)));
-        let later = Course {
-            ends: [from.clone(), far],
-            target: course.target.clone(),
-        };
-        if later.gets_nearer_than(bound) {
-            Kind::Mistimed
-        } else {
-            Kind::Spurious
-        }
-    }
-
-    /// By how many margins a claimed impact is none, or is one of another part
-    /// of a wall, though the two touch.
-    fn parting(&self, claim: &Claim, course: &Course, margin: f64) -> Option<f64> {
-        let (disc, obstacle) = claim.pair;
-        let place = &course.ends[1];
-        let Obstacle::Wall(wall) = obstacle else {
-            let velocity = self.relative_velocity(claim.pair);
-            return excess(&place.dot(&velocity), &velocity, margin);
-        };
-        let velocity = Point::from(self.motions[disc].velocity);
-        let [from, to] = self.bodies.walls[wall].map(Point::from);
-        let Some(end) = claim.end else {
-            let (offset, along) = (place.minus(&from), to.minus(&from));
-            let (side, drift) = (offset.cross(&along), velocity.cross(&along));
-            let outwards = if side.sign() == Less {
-                &Real::zero() - &drift
-            } else {
-                drift
-            };
-            let beyond = excess(&outwards, &velocity, margin);
-            return beyond.or_else(|| outside(&offset, &along, margin));
-        };
-        let corner = if end == End::From { from } else { to };
-        let offset = place.minus(&corner);
-        excess(&offset.dot(&velocity), &velocity, margin)
-            .or_else(|| self.inside(&corner, place, margin))
-    }
-
-    fn relative_velocity(&self, pair: (usize, Obstacle)) -> Point {
-        let velocity = |disc: usize| Point::from(self.motions[disc].velocity);
-        match pair.1 {
-            Obstacle::Disc(other) => velocity(other).minus(&velocity(pair.0)),
-            Obstacle::Wall(_) => velocity(pair.0),
-        }
-    }
-
-    /// By how many margins a place is beside the interior of every wall that
-    /// ends at a corner, rather than beyond the end of one.
-    fn inside(&self, corner: &Point, place: &Point, margin: f64) -> Option<f64> {
-        let walls = self.bodies.walls.iter().map(|wall| wall.map(Point::from));
-        let ends = walls.flat_map(|[from, to]| [[from.clone(), to.clone()], [to, from]]);
-        let beside = ends.filter(|[end, _]| end == corner).map(|[end, other]| {
-            let (offset, along) = (place.minus(&end), other.minus(&end));
-            excess(&offset.dot(&along), &along, margin)
-        });
-        beside.min_by(|one, other| one.unwrap_or(0.0).total_cmp(&other.unwrap_or(0.0)))?
-    }
-}
-
-/// By how many margins the foot of a place is beyond one of the ends.
-fn outside(offset: &Point, along: &Point, margin: f64) -> Option<f64> {
-    let foot = offset.dot(along);
-    let before = &Real::zero() - &foot;
-    let after = &foot - &along.norm_squared();
-    excess(&before, along, margin).or_else(|| excess(&after, along, margin))
-}
-
-/// By how many margins a product with a vector exceeds nothing: of a velocity,
-/// how fast two bodies part; of a wall's length, how far a place is along it.
-fn excess(product: &Real, vector: &Point, margin: f64) -> Option<f64> {
-    let length_squared = vector.norm_squared();
-    let allowed = &Real::from(margin).square() * &length_squared;
-    let exceeds = product.sign() == Greater && product.square() > allowed;
-    exceeds.then(|| product.to_f64() / length_squared.to_f64().sqrt() / margin)
 }
