@@ -87,6 +87,12 @@ impl Motion {
         }
     }
 
+    /// About where the disc is at a time.
+    pub(super) fn place(&self, time: f64) -> [f64; 2] {
+        let flown = time - self.since;
+        [0, 1].map(|axis| self.position[axis] + self.velocity[axis] * flown)
+    }
+
     pub(super) fn speed(&self) -> f64 {
         length(self.velocity)
     }

@@ -114,30 +114,37 @@ impl<'a> Window<'a> {
         (floor - self.course(pair).distances()[1]) / self.margin(pair)
     }
 
-    /// Whether the boxes about the ways of a pair are apart, by much more than
-    /// they are rounded.
-    fn is_far(&self, (disc, obstacle): (usize, Obstacle)) -> bool {
-        let own = self.extent(disc);
-        let other = match obstacle {
-            Obstacle::Disc(other) => self.extent(other),
-            Obstacle::Wall(wall) => {
-                let [from, to] = self.bodies.walls[wall];
-                [0, 1].map(|axis| [from[axis].min(to[axis]), from[axis].max(to[axis])])
-            }
-        };
-        (0..2).any(|axis| own[axis][1] < other[axis][0] || other[axis][1] < own[axis][0])
+    /// Whether a line keeps the way of a pair and its target apart, by much more
+    /// than binary64 rounds: nothing else is decided in it.
+    fn is_far(&self, pair: (usize, Obstacle)) -> bool {
+        let [ends, target] = self.sketch(pair);
+        let reach = self.reach(pair).to_f64() + SPARE * self.margin(pair);
+        let normal = |[from, to]: [[f64; 2]; 2]| [from[1] - to[1], to[0] - from[0]];
+        let axes = [[1.0, 0.0], [0.0, 1.0], normal(ends), normal(target)];
+        axes.into_iter().any(|axis| {
+            let [own, other] = [ends, target].map(|segment| shadow(segment, axis));
+            (own[0] - other[1]).max(other[0] - own[1]) > reach * length(axis)
+        })
     }
 
-    /// The box about a disc's way, with some to spare.
-    fn extent(&self, disc: usize) -> [[f64; 2]; 2] {
-        let motion = &self.motions[disc];
-        let flown = self.time - motion.since;
-        [0, 1].map(|axis| {
-            let (from, way) = (motion.position[axis], motion.velocity[axis] * flown);
-            let spare = 1e-9 * (from.abs() + way.abs());
-            let radius = self.bodies.radii[disc] * (1.0 + 1e-9) + spare;
-            [from.min(from + way) - radius, from.max(from + way) + radius]
-        })
+    /// The way of a pair, and its target, in binary64.
+    fn sketch(&self, (disc, obstacle): (usize, Obstacle)) -> [[[f64; 2]; 2]; 2] {
+        let since = |disc: usize| self.motions[disc].since;
+        let place = |disc: usize, time| self.motions[disc].place(time);
+        match obstacle {
+            Obstacle::Wall(wall) => {
+                let way = [since(disc), self.time].map(|time| place(disc, time));
+                [way, self.bodies.walls[wall]]
+            }
+            Obstacle::Disc(other) => {
+                let start = since(disc).max(since(other));
+                let offset = |time| {
+                    let [own, other] = [disc, other].map(|disc| place(disc, time));
+                    [other[0] - own[0], other[1] - own[1]]
+                };
+                [[start, self.time].map(offset), [[0.0; 2]; 2]]
+            }
+        }
     }
 
     /// Whether the bodies of a pair are apart at the end.
@@ -153,4 +160,13 @@ impl<'a> Window<'a> {
         course.gets_nearer_than(&(&reach + &margin))
             && (!course.departs(&margin) || course.passes(&(&reach - &margin)))
     }
+}
+
+/// So many margins are beyond all doubt.
+const SPARE: f64 = 1e6;
+
+/// The interval in which a segment lies along an axis, times the axis's length.
+fn shadow(segment: [[f64; 2]; 2], axis: [f64; 2]) -> [f64; 2] {
+    let [one, other] = segment.map(|end| end[0] * axis[0] + end[1] * axis[1]);
+    [one.min(other), one.max(other)]
 }
