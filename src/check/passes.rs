@@ -25,6 +25,10 @@ use crate::world::{Obstacle, World};
 
 type Pair = (usize, Obstacle);
 
+/// The times that a search halves an interval: what is left is short enough for
+/// no collision to come in between by chance.
+const HALVINGS: u32 = 32;
+
 /// Judges the first frames of a scene.
 ///
 /// # Errors
@@ -213,7 +217,7 @@ impl<S: Arithmetic> Objects<S> {
     /// A time, no later than `left`, by which a pair has got into each other.
     fn deep_from(&self, pair: Pair, left: f64) -> f64 {
         let (mut apart, mut deep) = (0.0, left);
-        for _ in 0..f64::MANTISSA_DIGITS {
+        for _ in 0..HALVINGS {
             let middle = (apart + deep) / 2.0;
             if self.window(middle).depth(pair).is_some() {
                 deep = middle;
