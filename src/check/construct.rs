@@ -50,6 +50,14 @@ impl Bytes<'_> {
         f64::from(self.below(16) + 1) / 8.0
     }
 
+    /// Mostly 1; else a power of two, up to 2²⁰.
+    fn far(&mut self) -> f64 {
+        match self.below(3) {
+            0 => f64::from(self.below(21)).exp2(),
+            _ => 1.0,
+        }
+    }
+
     /// Nothing, or 2⁻ᵏ with either sign, down to 2⁻⁶⁰.
     fn hair(&mut self) -> f64 {
         let choice = self.next();
@@ -150,8 +158,10 @@ impl Parts {
         let beside = radii[0] + radii[1] + bytes.hair();
         let (speed, drift) = (bytes.size(), [bytes.eighths(), bytes.eighths()]);
         self.disc([x, y], drift, radii[0]);
-        let velocity = [drift[0] + speed, drift[1]];
-        self.disc([x - 4.0 - bytes.size(), y + beside], velocity, radii[1]);
+        let far = bytes.far();
+        let velocity = [drift[0] + speed * far, drift[1]];
+        let start = x - (4.0 + bytes.size()) * far;
+        self.disc([start, y + beside], velocity, radii[1]);
     }
 
     /// Two discs that meet a third one, or each another one, at nearly the same
@@ -194,11 +204,16 @@ impl Parts {
     fn corner(&mut self, [x, y]: [f64; 2], bytes: &mut Bytes) {
         let radius = bytes.size();
         self.walls.push([[x, y], [x + 4.0, y]]);
-        let (along, speed) = (bytes.hair(), bytes.size());
+        let (along, far) = (bytes.hair(), bytes.far());
+        let (height, speed) = (4.0 * far, bytes.size() * far);
         match bytes.below(3) {
-            0 => self.disc([x + along, y + 3.0], [0.0, -speed], radius),
-            1 => self.disc([x - radius + along, y + 3.0], [0.0, -speed], radius),
-            _ => self.disc([x - 4.0, y + radius + along], [speed, bytes.hair()], radius),
+            0 => self.disc([x + along, y + height], [0.0, -speed], radius),
+            1 => self.disc([x - radius + along, y + height], [0.0, -speed], radius),
+            _ => self.disc(
+                [x - height, y + radius + along],
+                [speed, bytes.hair()],
+                radius,
+            ),
         }
         if bytes.below(2) == 1 {
             self.walls.push([[x, y], [x + bytes.eighths(), y - 4.0]]);
