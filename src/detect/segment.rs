@@ -96,6 +96,11 @@ impl<S: Scalar> Segment<S> {
         Ok(opposite(side.sign()?, velocity.cross(&self.along).sign()?))
     }
 
+    /// Whether the perpendicular from a point surely meets the segment.
+    pub(crate) fn is_surely_beside(&self, point: &Vec2<S>) -> bool {
+        matches!(self.nearest(&point.minus(&self.from)), Ok(Nearest::Foot(_)))
+    }
+
     /// The part of the segment that is nearest to a point whose offset from
     /// the first end point is given.
     pub(super) fn nearest(&self, offset: &Vec2<S>) -> Result<Nearest, S::Doubt> {

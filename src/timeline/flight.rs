@@ -294,9 +294,8 @@ impl<S: Scalar> Flights<S> {
         if !after.is_movable() {
             return;
         }
-        let velocity = self.world.discs[disc].velocity.clone();
-        self.world.leave_contacts(disc, &velocity);
-        self.world.discs[disc] = after;
+        let before = std::mem::replace(&mut self.world.discs[disc], after);
+        self.world.leave_contacts(disc, &before.velocity);
         self.since[disc] = time.clone();
         self.moment[disc] = turn;
         self.turn[disc] = turn;

@@ -115,16 +115,17 @@ impl<S: Scalar> World<S> {
         self.approaches(disc, feature, &other)
     }
 
-    /// Forgets what a disc touches that moves in a direction; only a wall
-    /// along which it moves it goes on to touch.
+    /// Forgets what a disc touches that has moved in a direction; only a wall
+    /// along which it has moved, and not past an end, it goes on to touch.
     pub(crate) fn leave_contacts(&mut self, disc: usize, direction: &Vec2<S>) {
-        let walls = &self.walls;
+        let (walls, place) = (&self.walls, &self.discs[disc].position);
         self.contacts.leave(disc, |feature| {
             let Feature::Wall(wall) = feature else {
                 return false;
             };
-            let along = &walls[wall as usize].segment.along;
-            along.cross(direction).sign().is_ok_and(Ordering::is_eq)
+            let segment = &walls[wall as usize].segment;
+            let slides = segment.along.cross(direction).sign();
+            slides.is_ok_and(Ordering::is_eq) && segment.is_surely_beside(place)
         });
     }
 }
