@@ -24,7 +24,8 @@
 //! (A time t̃ = c / (√D - a) with D off by δ, or a off by η, puts the bodies off
 //! their contact by δ t̃² / (2 c R) or √D η t̃² / (c R). Both are at most what the
 //! table says, because the smaller root's path w t̃ is not longer than the
-//! tangent, (w t̃)² ≤ c, and D ≤ w²R².)
+//! tangent, (w t̃)² ≤ c, and D ≤ w²R². Where D is nothing but its rounding, t̃ is
+//! not let past the nearest point, which then is a graze within the margin.)
 //!
 //! A pair that has collided parts by construction, though its velocities are
 //! rounded: at most twenty roundings of 2 w, twice the speeds before. Over the
