@@ -168,5 +168,5 @@ fn a_disc_that_slides_past_the_end_of_a_wall_leaves_it() {
         .restitution(newton("1", Some("0"), None));
     let outcome = exactly(&scene.build().unwrap());
     assert_log(&outcome, &[("1", "d0 w0"), ("9", "d0 d1")]);
-    assert_end(&outcome, &[["20", "-10", "1", "-1"], ["10", "3", "0", "0"]]);
+    assert_end(&outcome, &[["21", "-10", "1", "-1"], ["10", "3", "0", "0"]]);
 }
