@@ -205,6 +205,10 @@ pub trait Kernel: Scalar {
     /// A time at which bodies meet.
     type Time: Time<Self>;
 
+    /// Whether it is remembered that bodies touch which were brought to their
+    /// contact, since the numbers do not show it.
+    const REMEMBERS_CONTACTS: bool = true;
+
     /// When two discs meet, at least one of which can be deflected.
     #[inline]
     fn meet_discs(approach: &Approach<'_, Self>) -> Result<Option<Met<Self::Time>>, Self::Doubt> {

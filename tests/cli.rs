@@ -120,6 +120,9 @@ mod comparing;
 #[path = "cli/making.rs"]
 mod making;
 
+#[path = "cli/checking.rs"]
+mod checking;
+
 #[cfg(unix)]
 #[path = "cli/interrupting.rs"]
 mod interrupting;

@@ -8,6 +8,7 @@ mod choice;
 mod compare;
 mod error;
 mod exit;
+mod fuzz_check;
 mod generate;
 mod interrupt;
 mod output;
@@ -42,6 +43,7 @@ enum Command {
     Compare(compare::Arguments),
     Validate(validate::Arguments),
     Generate(generate::Arguments),
+    FuzzCheck(fuzz_check::Arguments),
     Schema(schema::Arguments),
 }
 
@@ -64,6 +66,7 @@ impl Command {
             Self::Compare(arguments) => compare::execute(arguments),
             Self::Validate(arguments) => Ok(validate::execute(arguments)),
             Self::Generate(arguments) => generate::execute(arguments),
+            Self::FuzzCheck(arguments) => fuzz_check::execute(arguments),
             Self::Schema(arguments) => schema::execute(arguments),
         }
     }

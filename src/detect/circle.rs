@@ -7,6 +7,10 @@
 //! discriminant is formed as D = (v·v) R² - (d × v)², in which the distance,
 //! often much larger than the radii, does not appear squared.
 //!
+//! The smaller root is not after the mean of both, -d·v / (v·v), when they are
+//! nearest. In a graze from close by, where c and D are roundings, the quotient could
+//! be far beyond that: a rounded root is not let past it.
+//!
 //! Degenerate cases: d·v ≥ 0 is not an approach, whatever the gap (so
 //! concentric bodies and bodies at relative rest never meet); D = 0 is a
 //! tangent pass; c ≤ 0 with an approach is an impact now.
@@ -79,7 +83,12 @@ pub fn meet_circle<S: Scalar>(
     Ok(match discriminant.sign()? {
         Less => None,
         Equal => Some(Encounter::graze(-approach / speed_squared)),
-        Greater => Some(enter(offset, reach, approach, &discriminant)?),
+        Greater => Some(enter(
+            offset,
+            reach,
+            (approach, &speed_squared),
+            &discriminant,
+        )?),
     })
 }
 
@@ -88,13 +97,21 @@ pub fn meet_circle<S: Scalar>(
 fn enter<S: Scalar>(
     offset: &Vec2<S>,
     reach: &S,
-    approach: S,
+    (approach, speed_squared): (S, &S),
     discriminant: &S,
 ) -> Result<Encounter<S>, S::Doubt> {
     let gap = S::power(&offset.x, &offset.y, reach);
-    Ok(match gap.sign()? {
-        Less => Encounter::inside(),
-        Equal => Encounter::now(),
-        Greater => Encounter::impact(gap / (discriminant.sqrt() - approach)),
-    })
+    match gap.sign()? {
+        Less => return Ok(Encounter::inside()),
+        Equal => return Ok(Encounter::now()),
+        Greater => {}
+    }
+    let delay = gap / (discriminant.sqrt() - &approach);
+    if S::ROUNDS {
+        let nearest = -approach / speed_squared;
+        if nearest.compare(&delay)? == Less {
+            return Ok(Encounter::impact(nearest));
+        }
+    }
+    Ok(Encounter::impact(delay))
 }

@@ -88,11 +88,9 @@ impl<S: Scalar> Segment<S> {
 
     /// Whether it is certain that the perpendicular from a point meets the
     /// segment between its end points.
-    pub(crate) fn is_beside(&self, point: &Vec2<S>) -> bool {
-        matches!(
-            self.nearest(&point.minus(&self.from)),
-            Ok(Nearest::Foot(None))
-        )
+    pub(crate) fn is_surely_beside(&self, point: &Vec2<S>) -> bool {
+        let nearest = self.nearest(&point.minus(&self.from));
+        matches!(nearest, Ok(Nearest::Foot(None)))
     }
 
     /// The part of the segment that is nearest to a point whose offset from

@@ -63,6 +63,9 @@ type Decision<T> = Result<T, Infallible>;
 impl Kernel for Filtered {
     type Time = Moment;
 
+    /// What the stored numbers say is all that counts.
+    const REMEMBERS_CONTACTS: bool = false;
+
     #[inline]
     fn meet_discs(approach: &Approach<'_, Self>) -> Decision<Option<Met<Moment>>> {
         let pair = [approach.early, approach.late].map(Ray::of);

@@ -28,20 +28,20 @@ pub(super) fn separate<S: Kernel>(
         return Ok(None);
     };
     let push = separation.direction.scaled(&separation.lack);
-    world.leave_contacts(disc, &separation.direction);
     match feature {
         Feature::Disc(other) => {
-            world.leave_contacts(other as usize, &separation.direction);
             let [first, second] = two(&mut world.discs, disc, other as usize);
             let (first_share, second_share) = shares(&first.mass, &second.mass);
             displace(&mut first.position, &-push.clone(), &first_share);
             displace(&mut second.position, &push, &second_share);
+            world.leave_contacts(other as usize, &separation.direction);
         }
         Feature::Wall(_) | Feature::Corner(_) => {
             displace(&mut world.discs[disc].position, &-push, &Share::Whole);
         }
     }
-    world.contacts.join(disc, feature);
+    world.leave_contacts(disc, &separation.direction);
+    world.join(disc, feature);
     Ok(Some(feature))
 }
 

@@ -251,8 +251,8 @@ impl<'a, S: Kernel> Passing<'a, S> {
     fn note(&mut self, collision: &Collision<S>) {
         let askew = self.is_askew(collision);
         if self.is_lasting(collision) {
-            let contacts = &mut self.bodies.world.contacts;
-            contacts.join(collision.disc, collision.feature);
+            let world = &mut self.bodies.world;
+            world.join(collision.disc, collision.feature);
         }
         let moments = collision.moments([self.moments + 1, self.moments + 2]);
         self.moments += 2;

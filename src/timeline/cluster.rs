@@ -168,7 +168,7 @@ impl<S: Timed> Timeline<S> {
             .iter()
             .filter(|contact| !cluster.overlaps.contains(contact));
         for &(disc, feature) in touching {
-            self.flights.world.contacts.join(disc, feature);
+            self.flights.world.join(disc, feature);
         }
         let touching = contacts.iter().map(|&(disc, feature)| {
             let overlap = cluster.overlaps.contains(&(disc, feature));

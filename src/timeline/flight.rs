@@ -305,9 +305,8 @@ impl<S: Kernel> Flights<S> {
         if !after.is_movable() {
             return;
         }
-        let velocity = self.world.discs[disc].velocity.clone();
-        self.world.discs[disc] = after;
-        self.world.leave_contacts(disc, &velocity);
+        let before = std::mem::replace(&mut self.world.discs[disc], after);
+        self.world.leave_contacts(disc, &before.velocity);
         self.since[disc] = time.clone();
         self.moment[disc] = turn;
         self.turn[disc] = turn;

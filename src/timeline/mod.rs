@@ -246,6 +246,12 @@ impl<S: Timed> Timeline<S> {
         &self.now
     }
 
+    /// The discs as they are kept: each where its own last impact left it, with
+    /// the time of that.
+    pub fn bodies(&self) -> impl Iterator<Item = (&Disc<S>, &S)> {
+        self.flights.world.discs.iter().zip(&self.flights.since)
+    }
+
     /// The discs as they are at a time: not before the latest impact, nor
     /// after the next one.
     pub fn discs_at(&self, time: &S) -> Vec<Disc<S>> {
@@ -294,7 +300,7 @@ impl<S: Timed> Timeline<S> {
         if inside {
             world.forget(first, feature);
         } else {
-            world.contacts.join(first, feature);
+            world.join(first, feature);
         }
         let (pair, end) = world.names(first, feature);
         self.part_nested(first, feature, &time);

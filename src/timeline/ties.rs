@@ -38,7 +38,7 @@ impl<S: Timed> Timeline<S> {
             self.forecaster.update(&self.flights, disc);
         }
         for (disc, meeting) in &met {
-            self.flights.world.contacts.join(*disc, meeting.feature);
+            self.flights.world.join(*disc, meeting.feature);
         }
         for disc in changed {
             self.forecast(disc, Effort::Bounds)?;

@@ -106,6 +106,13 @@ impl<S: Kernel> World<S> {
         self.approaches(disc, feature, &other)
     }
 
+    /// Remembers that a disc and a feature touch.
+    pub(crate) fn join(&mut self, disc: usize, feature: Feature) {
+        if S::REMEMBERS_CONTACTS {
+            self.contacts.join(disc, feature);
+        }
+    }
+
     /// Forgets what a disc touches that has moved in a direction to where it
     /// is; only a wall along which it moved it goes on to touch, up to its end.
     pub(crate) fn leave_contacts(&mut self, disc: usize, direction: &Vec2<S>) {
@@ -116,7 +123,7 @@ impl<S: Kernel> World<S> {
             };
             let segment = &walls[wall as usize].segment;
             let across = segment.along.cross(direction);
-            across.sign().is_ok_and(Ordering::is_eq) && segment.is_beside(position)
+            across.sign().is_ok_and(Ordering::is_eq) && segment.is_surely_beside(position)
         });
     }
 }

@@ -157,16 +157,16 @@ fn a_perfectly_inelastic_fall_ends() {
     assert_end(&outcome, &[["0", "1", "0", "0"]]);
 }
 
-/// A wall takes all of the speed towards it: the disc slides, and past the wall's
-/// end at 1. There, at (3, 1), another one falls on it at 3, and nothing is below.
+/// d0 touches the wall at 1, above 2, slides on at a speed of 1 and is past the
+/// wall's end at 3. At 9, above 10, d1 comes down upon it: below is no wall.
 #[test]
-fn who_slides_off_a_wall_does_not_touch_it() {
-    let scene = lasting("4")
-        .disc(Disc::at([0, 1], 1).velocity([1, -1]))
-        .disc(Disc::at([3, 6], 1).velocity([0, -1]))
-        .wall([-1, 0], [1, 0])
+fn a_disc_that_slides_past_the_end_of_a_wall_leaves_it() {
+    let scene = lasting("20")
+        .disc(Disc::at([1, 2], 1).velocity([1, -1]))
+        .disc(Disc::at([10, 12], 1).velocity([0, -1]))
+        .wall([0, 0], [4, 0])
         .restitution(newton("1", Some("0"), None));
     let outcome = exactly(&scene.build().unwrap());
-    assert_log(&outcome, &[("0", "d0 w0"), ("3", "d0 d1")]);
-    assert_end(&outcome, &[["4", "0", "1", "-1"], ["3", "3", "0", "0"]]);
+    assert_log(&outcome, &[("1", "d0 w0"), ("9", "d0 d1")]);
+    assert_end(&outcome, &[["21", "-10", "1", "-1"], ["10", "3", "0", "0"]]);
 }
