@@ -76,6 +76,11 @@ impl<S: Kernel> Clocked<S> {
         self.moments[disc] = moment;
     }
 
+    /// Whether one of the two objects of a collision is where it happens.
+    pub(super) fn is_there(&self, object: usize, collision: &Collision<S>, side: usize) -> bool {
+        collision.moments[side] == Some(self.moments[object])
+    }
+
     /// The end of the frame, up to which what is left of it is a time, not a
     /// length (P4.4, D4).
     pub(super) fn end(&self) -> S::Time {

@@ -177,10 +177,10 @@ impl<'a, S: Kernel> Passing<'a, S> {
     fn respond(&mut self, collision: &Collision<S>) -> Result<Impact<S>, S::Doubt> {
         let (disc, feature) = (collision.disc, collision.feature);
         for (object, side) in self.moved(collision) {
-            let since = &collision.since[side];
-            self.bodies
-                .world
-                .advance_disc(object, since, &collision.when);
+            if !self.clocked.is_there(object, collision, side) {
+                let (since, when) = (&collision.since[side], &collision.when);
+                self.bodies.world.advance_disc(object, since, when);
+            }
         }
         let place = self.place(collision);
         let contact = self.bodies.world.collide(disc, feature, place)?;
@@ -219,7 +219,7 @@ impl<'a, S: Kernel> Passing<'a, S> {
 
     /// Where an object is that has moved to a collision, or does not stop.
     fn position_brought(&self, disc: usize, collision: &Collision<S>, side: usize) -> Vec2<S> {
-        if self.is_movable(disc) {
+        if self.is_movable(disc) || self.clocked.is_there(disc, collision, side) {
             return self.bodies.world.discs[disc].position.clone();
         }
         let since = &collision.since[side];
