@@ -15,6 +15,12 @@ fn main() -> io::Result<()> {
     for (index, bytes) in numbers().iter().enumerate() {
         write("exact", &format!("{index}"), bytes)?;
     }
+    for step in 1..9_u8 {
+        let bytes: Vec<u8> = (0..180)
+            .map(|place: u8| place.wrapping_mul(29 * step))
+            .collect();
+        write("predicates", &format!("{step}"), &bytes)?;
+    }
     Ok(())
 }
 
