@@ -55,7 +55,7 @@ use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 
 /// The rounds of reflections after which a cluster counts as jammed.
-pub const MAX_ROUNDS: usize = 1 << 14;
+pub const MAX_ROUNDS: usize = 1 << 10;
 
 /// A contact in a cluster of simultaneous ones.
 #[derive(Clone, Debug)]

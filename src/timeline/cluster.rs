@@ -50,10 +50,9 @@ impl<S: Timed> Timeline<S> {
             return Ok(false);
         }
         self.compute(disc)?;
-        let moment = self.forecasts[disc]
-            .as_ref()
-            .map(|next| next.foreseen(disc).moment);
-        if self.jammed.is_some() && moment == Some(self.jammed) {
+        let next = self.forecasts[disc].as_ref();
+        let moment = next.and_then(|next| next.foreseen(disc).moment);
+        if moment.is_some_and(|moment| self.jammed.contains(&moment)) {
             return Ok(false);
         }
         let Some(cluster) = self.cluster(disc)? else {
@@ -75,7 +74,8 @@ impl<S: Timed> Timeline<S> {
         let Some(meeting) = forecast.meeting() else {
             return Ok(None);
         };
-        let (trigger, is_inside) = (forecast.foreseen(disc), forecast.is_inside());
+        let trigger = forecast.foreseen(disc);
+        let is_inside = forecast.is_inside() && self.tells_overlaps(trigger.disc);
         let time = meeting.time.value().not_before(&self.now);
         let mut cluster = Cluster {
             contacts: vec![(trigger.disc, trigger.feature)],
@@ -182,7 +182,7 @@ impl<S: Timed> Timeline<S> {
         let parted = match reflection {
             Reflection::Parted(struck) => Some(struck),
             Reflection::Jammed => {
-                self.jammed = Some(moment);
+                self.jammed.insert(moment);
                 None
             }
         };

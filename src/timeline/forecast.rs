@@ -146,10 +146,9 @@ impl<S: Kernel> Forecast<S> {
         self.foresight().is_some_and(changed)
     }
 
-    /// Whether the two overlap already, and do not only touch. What rounds does
-    /// not tell.
+    /// Whether the two overlap already, and do not only touch.
     pub(super) fn is_inside(&self) -> bool {
-        !S::ROUNDS && self.meeting().is_some_and(|meeting| meeting.inside)
+        self.meeting().is_some_and(|meeting| meeting.inside)
     }
 
     /// Whether the two only pass in tangency.

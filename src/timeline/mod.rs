@@ -24,7 +24,7 @@ mod step;
 mod sweep;
 mod ties;
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 
 use crate::body::{Disc, Feature};
@@ -121,8 +121,8 @@ pub struct Timeline<S: Timed> {
     parted: Vec<Vec<(Feature, u64)>>,
     nested: Nested,
     rule: Simultaneous,
-    /// The time at which a cluster jams.
-    jammed: Option<u64>,
+    /// The times at which clusters jam, by their names.
+    jammed: BTreeSet<u64>,
     /// Impacts that have been resolved and not told yet.
     pending: VecDeque<Impact<S>>,
     now: S,
@@ -169,7 +169,7 @@ impl<S: Timed> Timeline<S> {
             grazed: vec![Vec::new(); count],
             parted: vec![Vec::new(); count],
             rule: setup.simultaneous,
-            jammed: None,
+            jammed: BTreeSet::new(),
             pending: VecDeque::new(),
             nested,
             now: S::from_integer(0),
@@ -290,12 +290,14 @@ impl<S: Timed> Timeline<S> {
         let named = met.moment.filter(|_| !S::ROUNDS);
         let moment = named.unwrap_or(self.turn);
         let changed = self.changed(first, feature);
+        let tells_overlaps = self.tells_overlaps(first);
         self.arbiter.note(&met, changed, moment);
         let (time, contact) = match self.leap(&met) {
             Some(leapt) => leapt,
             None => self.walk(disc, &mut forecast, &met, moment)?,
         };
-        let inside = forecast.is_inside() || self.overlaps_beside(first, feature, &time);
+        let inside =
+            tells_overlaps && forecast.is_inside() || self.overlaps_beside(first, feature, &time);
         let world = &mut self.flights.world;
         if inside {
             world.forget(first, feature);
@@ -323,6 +325,12 @@ impl<S: Timed> Timeline<S> {
             step: None,
             contact: Some(Box::new(contact)),
         })
+    }
+
+    /// Whether an overlap of a disc is none by rounding: it is where the scene
+    /// puts it, or nothing rounds.
+    fn tells_overlaps(&self, disc: usize) -> bool {
+        !S::ROUNDS || self.flights.turn[disc] == 0
     }
 
     /// Whether a disc that is at a corner at some time overlaps a wall that ends
