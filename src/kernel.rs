@@ -1,7 +1,7 @@
 //! How an arithmetic takes the decisions that collisions consist of.
 //!
 //! Most compute: the formulas of [`detect`](crate::detect) and
-//! [`respond`](crate::respond), one operation after the other. That is what the
+//! [`respond`], one operation after the other. That is what the
 //! methods of [`Kernel`] do unless an arithmetic has its own. One that stores
 //! rounded numbers and yet decides exactly has: it takes each decision as a
 //! whole, from the numbers that it stores.

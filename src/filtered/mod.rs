@@ -4,8 +4,8 @@
 //! which it is there. Every decision (whether two bodies meet, what of a wall,
 //! whether they approach, which of two impacts comes first) is that of exact
 //! arithmetic *for the stored numbers*. Floating point with an error bound
-//! decides most ([`screen`]); where it cannot tell, whole numbers do
-//! ([`exact`]), without any limit: nothing stays open.
+//! decides most (`screen`); where it cannot tell, whole numbers do (`exact`),
+//! without any limit: nothing stays open.
 //!
 //! # What is rounded, and when
 //!

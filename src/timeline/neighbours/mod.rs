@@ -1,4 +1,4 @@
-//! What a disc may meet soon: the broad phase.
+//! What a disc may meet soon: the broad phase (P6.2).
 //!
 //! Everything, or what is near. What is near is found in a [`Grid`], and holds
 //! until the disc leaves its cell; a forecast looks no further, and is made anew
