@@ -26,17 +26,6 @@ pub(super) struct Line {
     pub(super) to: [f64; 2],
 }
 
-impl Course {
-    /// The time from which on it is followed, unless there is none.
-    #[inline]
-    pub(super) fn start(&self) -> Option<f64> {
-        match self {
-            Self::Known => None,
-            Self::Discs([_, disc]) | Self::Wall(disc, _) | Self::Point(disc, _) => Some(disc.since),
-        }
-    }
-}
-
 /// What leads to a meeting.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Course {
@@ -48,6 +37,17 @@ pub(super) enum Course {
     Wall(Ray, Line),
     /// A disc and a point.
     Point(Ray, [f64; 2]),
+}
+
+impl Course {
+    /// The time from which on it is followed, unless there is none.
+    #[inline]
+    pub(super) fn start(&self) -> Option<f64> {
+        match self {
+            Self::Known => None,
+            Self::Discs([_, disc]) | Self::Wall(disc, _) | Self::Point(disc, _) => Some(disc.since),
+        }
+    }
 }
 
 /// The coordinates of a vector.

@@ -19,7 +19,10 @@
 //!    instead.
 //!
 //! So a run is defined without reference to this code, and has the same bits on
-//! every platform.
+//! every platform. (What would be beyond the largest binary64 is stored as that.
+//! A moving body of infinite mass is not stored anew: for an impact with it,
+//! its place at the rounded time is rounded. The rule `reflect` solves for
+//! velocities in binary64, as `f64` does.)
 //!
 //! # Overlap by rounding
 //!
@@ -29,7 +32,8 @@
 //! √2 (ulp(x₁) + ulp(x₂)) / 2 + (|v₁| + |v₂|) ulp(t) / 2, with the largest
 //! coordinates x, speeds v and the time t. By 3. they do not approach after an
 //! impact, and two bodies that do not approach do not get closer in free
-//! motion: the overlap never grows, and as such it is no impact. Bodies that
+//! motion: the overlap does not grow, and as such it is no impact. An impact of
+//! one of them with a third body rounds again, which may add as much. Bodies that
 //! overlap and *do* approach, because one of them was struck meanwhile, collide
 //! at once.
 
