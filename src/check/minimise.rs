@@ -16,13 +16,14 @@ const TRIALS: usize = 4000;
 ///
 /// # Examples
 ///
-/// ```no_run
+/// ```
 /// use carom::check::{check, minimise};
-/// use carom::scene::Scene;
+/// use carom::scene::{Disc, Scene};
 ///
-/// let scene = Scene::read("found.json")?;
+/// let scene = Scene::builder("example").disc(Disc::at([0, 0], 1)).build()?;
 /// if let Err(finding) = check(&scene) {
-///     println!("{finding}\n{}", minimise(&scene, &finding).to_json());
+///     let smaller = minimise(&scene, &finding);
+///     println!("{finding}, already with {} discs", smaller.discs().len());
 /// }
 /// # Ok::<(), carom::scene::SceneError>(())
 /// ```
