@@ -106,24 +106,26 @@ impl<S: Scalar> Time<S> for S {
 
 /// A disc, and the time at which it is where it says.
 #[derive(Debug)]
-pub struct Flight<'a, S> {
+pub struct Flight<'a, S: Kernel> {
     /// The disc.
     pub disc: &'a Disc<S>,
     /// The time.
     pub since: &'a S,
+    /// What pulls it.
+    pub pull: &'a S::Pull,
 }
 
-impl<S> Clone for Flight<'_, S> {
+impl<S: Kernel> Clone for Flight<'_, S> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<S> Copy for Flight<'_, S> {}
+impl<S: Kernel> Copy for Flight<'_, S> {}
 
 /// Two discs in flight.
 #[derive(Debug)]
-pub struct Approach<'a, S> {
+pub struct Approach<'a, S: Kernel> {
     /// The disc that is known since the earlier time.
     pub early: Flight<'a, S>,
     /// The disc that is known since the later one.
@@ -132,7 +134,7 @@ pub struct Approach<'a, S> {
     pub together: bool,
 }
 
-impl<S: Scalar> Approach<'_, S> {
+impl<S: Kernel> Approach<'_, S> {
     /// Where the later disc is, seen from the earlier one, at the later time.
     #[inline]
     pub fn offset(&self) -> Vec2<S> {
@@ -140,9 +142,24 @@ impl<S: Scalar> Approach<'_, S> {
         if self.together {
             return late.position.minus(&early.position);
         }
-        let wait = self.late.since.clone() - self.early.since;
-        let start = early.position.moved(&early.velocity, &wait);
+        let start = S::position_after(self.early, &self.wait());
         late.position.minus(&start)
+    }
+
+    /// How fast the later disc moves, seen from the earlier one, at the later
+    /// time.
+    #[inline]
+    pub fn velocity(&self) -> Vec2<S> {
+        let (early, late) = (self.early.disc, self.late.disc);
+        if self.together || S::IS_STRAIGHT {
+            return late.velocity.minus(&early.velocity);
+        }
+        let start = S::velocity_after(self.early, &self.wait());
+        late.velocity.minus(&start)
+    }
+
+    fn wait(&self) -> S {
+        self.late.since.clone() - self.early.since
     }
 
     /// The sum of the radii.
@@ -184,7 +201,7 @@ impl<T> Met<T> {
 
     /// What an encounter amounts to, seen from a time.
     #[inline]
-    fn after<S: Scalar>(since: &S, encounter: Encounter<S>) -> Self
+    pub(crate) fn after<S: Scalar>(since: &S, encounter: Encounter<S>) -> Self
     where
         T: Time<S>,
     {
@@ -205,19 +222,58 @@ pub trait Kernel: Scalar {
     /// A time at which bodies meet.
     type Time: Time<Self>;
 
+    /// What acts on a disc in flight; nothing where motion is straight.
+    type Pull: Clone + Debug + Send + Sync + 'static;
+
     /// Whether it is remembered that bodies touch which were brought to their
     /// contact, since the numbers do not show it.
     const REMEMBERS_CONTACTS: bool = true;
 
+    /// Whether free motion is straight: bodies that have parted then do not meet
+    /// again before one of them collides.
+    const IS_STRAIGHT: bool = true;
+
+    /// What acts on a disc under some gravity.
+    fn pull(disc: &Disc<Self>, gravity: Option<&Vec2<Self>>) -> Self::Pull;
+
+    /// Where a disc is after it has been in flight for so long.
+    #[inline]
+    fn position_after(flight: Flight<'_, Self>, time: &Self) -> Vec2<Self> {
+        flight.disc.position.moved(&flight.disc.velocity, time)
+    }
+
+    /// How fast a disc moves after it has been in flight for so long.
+    #[inline]
+    fn velocity_after(flight: Flight<'_, Self>, time: &Self) -> Vec2<Self> {
+        let _ = time;
+        flight.disc.velocity.clone()
+    }
+
+    /// When two discs meet again that touch where the later one is, and part.
+    #[inline]
+    fn meet_disc_again(
+        approach: &Approach<'_, Self>,
+    ) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
+        let _ = approach;
+        Ok(None)
+    }
+
+    /// When a disc meets a wall again that it touches, in its interior or at an
+    /// end point, and parts from.
+    #[inline]
+    fn meet_wall_again(
+        flight: Flight<'_, Self>,
+        wall: &Segment<Self>,
+        touched: Option<End>,
+    ) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
+        let _ = (flight, wall, touched);
+        Ok(None)
+    }
+
     /// When two discs meet, at least one of which can be deflected.
     #[inline]
     fn meet_discs(approach: &Approach<'_, Self>) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
-        let velocity = approach
-            .late
-            .disc
-            .velocity
-            .minus(&approach.early.disc.velocity);
-        let met = meet_circle(&approach.offset(), &velocity, &approach.reach())?;
+        let met = meet_circle(&approach.offset(), &approach.velocity(), &approach.reach())?;
         Ok(met.map(|encounter| Met::after(approach.late.since, encounter)))
     }
 
@@ -242,8 +298,16 @@ pub trait Kernel: Scalar {
     /// Where a disc is at a time, if nothing changes its motion.
     #[inline]
     fn position_at(flight: Flight<'_, Self>, time: &Self::Time) -> Vec2<Self> {
-        let flown = time.value() - flight.since;
-        flight.disc.position.moved(&flight.disc.velocity, &flown)
+        Self::position_after(flight, &(time.value() - flight.since))
+    }
+
+    /// How fast a disc moves at a time, if nothing changes its motion.
+    #[inline]
+    fn velocity_at(flight: Flight<'_, Self>, time: &Self::Time) -> Vec2<Self> {
+        if Self::IS_STRAIGHT {
+            return flight.disc.velocity.clone();
+        }
+        Self::velocity_after(flight, &(time.value() - flight.since))
     }
 
     /// The overlap of two discs, if there is one.
@@ -324,16 +388,28 @@ pub trait Kernel: Scalar {
 
 impl Kernel for f64 {
     type Time = Self;
+    type Pull = ();
+
+    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 }
 
 impl Kernel for Interval {
     type Time = Self;
+    type Pull = ();
+
+    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 }
 
 impl Kernel for Exact {
     type Time = Self;
+    type Pull = ();
+
+    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 }
 
 impl Kernel for Expression {
     type Time = Self;
+    type Pull = ();
+
+    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 }

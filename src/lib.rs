@@ -18,6 +18,7 @@ pub mod body;
 pub mod check;
 pub mod contacts;
 pub mod detect;
+pub mod effects;
 pub mod filtered;
 pub mod frame;
 pub mod impact;

@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::contacts::Contacts;
+use crate::effects::Forces;
 use crate::frame::{self, Frame, Passes};
 use crate::impact::Impact;
 use crate::kernel::Kernel;
@@ -55,7 +56,7 @@ pub struct Simulation<S: Timed> {
 
 #[derive(Clone, Debug)]
 enum Machine<S: Timed> {
-    Frames(World<S>, Algorithm),
+    Frames(World<S>, Algorithm, Option<Forces<S>>),
     Timeline(Box<Timeline<S>>),
 }
 
@@ -77,7 +78,10 @@ impl<S: Arithmetic> Simulation<S> {
                 let end = clock.start_of(scene.frame().count, precision);
                 Machine::Timeline(Box::new(Timeline::new(world, &end)?))
             }
-            _ => Machine::Frames(world, algorithm),
+            _ => {
+                let forces = Forces::of(scene.effects(), precision);
+                Machine::Frames(world, algorithm, forces)
+            }
         };
         Ok(Self {
             machine,
@@ -97,7 +101,12 @@ impl<S: Arithmetic> Simulation<S> {
         let frame = self.clock.frame(self.frame, self.precision);
         self.frame += 1;
         match &mut self.machine {
-            Machine::Frames(world, algorithm) => step(world, &frame, *algorithm),
+            Machine::Frames(world, algorithm, forces) => {
+                if let Some(forces) = forces {
+                    forces.act(world, &frame.duration);
+                }
+                step(world, &frame, *algorithm)
+            }
             Machine::Timeline(timeline) => {
                 let end = self.clock.start_of(self.frame, self.precision);
                 std::iter::from_fn(|| timeline.next_impact(&end).transpose()).collect()
@@ -117,7 +126,7 @@ impl<S: Arithmetic> Simulation<S> {
     /// The discs as they are at the end of the latest frame.
     pub fn discs(&self) -> Vec<Disc<S>> {
         match &self.machine {
-            Machine::Frames(world, _) => world.discs.clone(),
+            Machine::Frames(world, ..) => world.discs.clone(),
             Machine::Timeline(timeline) => {
                 timeline.discs_at(&self.clock.start_of(self.frame, self.precision))
             }
@@ -127,7 +136,7 @@ impl<S: Arithmetic> Simulation<S> {
     /// What touches by construction at the end of the latest frame.
     pub fn contacts(&self) -> Contacts {
         match &self.machine {
-            Machine::Frames(world, _) => world.contacts.clone(),
+            Machine::Frames(world, ..) => world.contacts.clone(),
             Machine::Timeline(timeline) => Contacts::none(timeline.disc_count()),
         }
     }

@@ -2,6 +2,7 @@
 //! impacts change.
 
 use crate::body::Mass;
+use crate::kernel::Kernel;
 use crate::scalar::Scalar;
 use crate::world::{Obstacle, World};
 
@@ -15,7 +16,7 @@ pub(super) struct Bodies {
 }
 
 impl Bodies {
-    pub(super) fn of<S: Scalar>(world: &World<S>) -> Self {
+    pub(super) fn of<S: Kernel>(world: &World<S>) -> Self {
         let mass = |mass: &Mass<S>| match mass {
             Mass::Finite(mass) => Some(mass.to_f64()),
             Mass::Infinite => None,

@@ -18,7 +18,7 @@ use super::{Effort, trial};
 use crate::arithmetic::Arithmetic;
 use crate::frame::{Frame, Passes, multiple};
 use crate::impact::Impact;
-use crate::scalar::Scalar;
+use crate::kernel::Kernel;
 use crate::scene::Scene;
 use crate::simulation::FrameClock;
 use crate::world::{Obstacle, World};
@@ -56,7 +56,7 @@ pub(super) fn judge<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(),
 }
 
 /// A pass: its collisions, and the frame's end if it is the last one.
-struct Pass<S: Scalar> {
+struct Pass<S: Kernel> {
     collisions: Vec<Impact<S>>,
     end: World<S>,
 }
@@ -101,7 +101,7 @@ fn judge_frame<S: Arithmetic>(
 }
 
 /// Where the objects are within the frame.
-struct Objects<S: Scalar> {
+struct Objects<S: Kernel> {
     bodies: Bodies,
     world: World<S>,
     motions: Vec<Motion>,

@@ -66,9 +66,12 @@ type Decision<T> = Result<T, Infallible>;
 
 impl Kernel for Filtered {
     type Time = Moment;
+    type Pull = ();
 
     /// What the stored numbers say is all that counts.
     const REMEMBERS_CONTACTS: bool = false;
+
+    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 
     #[inline]
     fn meet_discs(approach: &Approach<'_, Self>) -> Decision<Option<Met<Moment>>> {

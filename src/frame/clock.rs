@@ -3,7 +3,7 @@
 use std::cmp::Ordering::{self, Greater, Less};
 
 use crate::body::Feature;
-use crate::kernel::{Approach, Flight, Kernel, Met, Time};
+use crate::kernel::{Approach, Kernel, Met, Time};
 use crate::scalar::Interval;
 use crate::world::{Obstacle, World};
 
@@ -129,10 +129,7 @@ impl<S: Kernel> Clocked<S> {
         other: usize,
     ) -> Result<Option<Collision<S>>, S::Doubt> {
         let start = S::from_integer(0);
-        let [early, late] = [disc, other].map(|index| Flight {
-            disc: &world.discs[index],
-            since: &start,
-        });
+        let [early, late] = [disc, other].map(|index| world.flight(index, &start));
         let approach = Approach {
             early,
             late,
@@ -157,10 +154,7 @@ impl<S: Kernel> Clocked<S> {
     ) -> Result<Option<Collision<S>>, S::Doubt> {
         let late = self.later(disc, other)?;
         let early = if late == disc { other } else { disc };
-        let flight = |index| Flight {
-            disc: &world.discs[index],
-            since: self.clock(index),
-        };
+        let flight = |index| world.flight(index, self.clock(index));
         let approach = Approach {
             early: flight(early),
             late: flight(late),

@@ -18,7 +18,7 @@ use crate::world::{Obstacle, World};
 /// A `moment` names such a time: equal names are equal times, also where the
 /// arithmetic could not prove it.
 #[derive(Clone, Debug)]
-pub struct Flights<S> {
+pub struct Flights<S: Kernel> {
     pub(super) world: World<S>,
     pub(super) since: Vec<S>,
     pub(super) turn: Vec<u64>,
@@ -132,10 +132,7 @@ impl<S: Kernel> Flights<S> {
 
     #[inline]
     fn flight(&self, disc: usize) -> Flight<'_, S> {
-        Flight {
-            disc: &self.world.discs[disc],
-            since: &self.since[disc],
-        }
+        self.world.flight(disc, &self.since[disc])
     }
 
     /// The order of two meetings in time, where numbers leave that open by

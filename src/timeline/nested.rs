@@ -37,7 +37,7 @@ impl Nested {
     /// Forgets a pair that has collided, and thus parted before. The corner
     /// that a disc collides with may be that of another wall, while it still
     /// `overlaps` the one that it is nested in.
-    pub(super) fn part<S>(
+    pub(super) fn part<S: Kernel>(
         &mut self,
         world: &World<S>,
         disc: usize,
@@ -54,7 +54,7 @@ impl Nested {
     }
 }
 
-fn is_of<S>(
+fn is_of<S: Kernel>(
     world: &World<S>,
     (first, obstacle): (usize, Obstacle),
     disc: usize,

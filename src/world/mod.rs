@@ -50,9 +50,11 @@ impl Obstacle {
 
 /// The bodies of a scene, as numbers of one type (P1.1).
 #[derive(Clone, Debug)]
-pub struct World<S> {
+pub struct World<S: Kernel> {
     /// The discs, at the start of the scene or wherever a run has taken them.
     pub discs: Vec<Disc<S>>,
+    /// What pulls each of them.
+    pub pulls: Vec<S::Pull>,
     /// The walls.
     pub walls: Vec<Wall<S>>,
     /// The points where walls end: end points that coincide are one.
@@ -165,7 +167,12 @@ impl<S: Kernel> World<S> {
         if matches!(time.order_to(since), Ok(Equal)) {
             return;
         }
-        self.discs[disc].position = self.position_at(disc, since, time);
+        let flight = self.flight(disc, since);
+        let position = S::position_at(flight, time);
+        if !S::IS_STRAIGHT {
+            self.discs[disc].velocity = S::velocity_at(flight, time);
+        }
+        self.discs[disc].position = position;
         if !self.contacts.of(disc).is_empty() {
             let velocity = self.discs[disc].velocity.clone();
             self.leave_contacts(disc, &velocity);
@@ -175,8 +182,17 @@ impl<S: Kernel> World<S> {
     /// Where a disc that is in flight since some time is at another.
     #[inline]
     pub(crate) fn position_at(&self, disc: usize, since: &S, time: &S::Time) -> Vec2<S> {
-        let disc = &self.discs[disc];
-        S::position_at(Flight { disc, since }, time)
+        S::position_at(self.flight(disc, since), time)
+    }
+
+    /// A disc that is in flight since some time.
+    #[inline]
+    pub(crate) fn flight<'a>(&'a self, disc: usize, since: &'a S) -> Flight<'a, S> {
+        Flight {
+            disc: &self.discs[disc],
+            since,
+            pull: &self.pulls[disc],
+        }
     }
 
     /// Moves all discs freely for a time.
@@ -198,10 +214,10 @@ impl<S: Kernel> World<S> {
         since: &S,
         wall: usize,
     ) -> Result<Option<Met<S::Time>>, S::Doubt> {
-        let disc = &self.discs[disc];
+        let last = self.discs[disc].last;
         let wall = &self.walls[wall];
-        let barred = |end| self.is_end_of(disc.last, wall.corner(end));
-        S::meet_wall(Flight { disc, since }, &wall.segment, barred)
+        let barred = |end| self.is_end_of(last, wall.corner(end));
+        S::meet_wall(self.flight(disc, since), &wall.segment, barred)
     }
 
     /// Whether a corner belongs to what a disc has parted from.

@@ -153,7 +153,7 @@ fn time_left<S: Kernel>(trio: &Trio<S>, velocity: &Vec2<S>) -> Result<Option<S>,
 }
 
 /// Where and when three bodies are looked at.
-struct Setting<'a, S> {
+struct Setting<'a, S: Kernel> {
     flights: &'a Flights<S>,
     now: &'a S,
     middle: Disc<S>,

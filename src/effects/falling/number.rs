@@ -1,0 +1,124 @@
+//! A number of bodies that fall.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_rational::BigRational;
+
+use crate::scalar::{Interval, Number, Scalar};
+
+/// A number as it is, of bodies that gravity pulls.
+///
+/// It computes and decides as the number that it holds does. What sets it apart
+/// is its [`Kernel`](crate::kernel::Kernel), in which bodies move on parabolas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Falling<S>(pub S);
+
+impl<S: Scalar> Scalar for Falling<S> {
+    type Doubt = S::Doubt;
+    type Precision = S::Precision;
+
+    const ROUNDS: bool = S::ROUNDS;
+    /// Bounds of straight motion rule out nothing.
+    const IS_DEAR: bool = false;
+
+    fn from_number(number: &Number, precision: S::Precision) -> Self {
+        Self(S::from_number(number, precision))
+    }
+
+    fn from_integer(integer: i32) -> Self {
+        Self(S::from_integer(integer))
+    }
+
+    #[inline]
+    fn sign(&self) -> Result<Ordering, S::Doubt> {
+        self.0.sign()
+    }
+
+    fn is_surely_zero(&self) -> bool {
+        self.0.is_surely_zero()
+    }
+
+    #[inline]
+    fn compare(&self, other: &Self) -> Result<Ordering, S::Doubt> {
+        self.0.compare(&other.0)
+    }
+
+    #[inline]
+    fn square(&self) -> Self {
+        Self(self.0.square())
+    }
+
+    #[inline]
+    fn sqrt(&self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline]
+    fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
+        Self(S::difference_of_products(&a.0, &b.0, &c.0, &d.0))
+    }
+
+    #[inline]
+    fn power(x: &Self, y: &Self, r: &Self) -> Self {
+        Self(S::power(&x.0, &y.0, &r.0))
+    }
+
+    fn bare(&self) -> Self {
+        Self(self.0.bare())
+    }
+
+    #[inline]
+    fn not_before(self, floor: &Self) -> Self {
+        Self(self.0.not_before(&floor.0))
+    }
+
+    fn to_f64(&self) -> f64 {
+        self.0.to_f64()
+    }
+
+    #[inline]
+    fn hull(&self) -> Interval {
+        self.0.hull()
+    }
+
+    fn enclosure(&self) -> Option<(BigRational, BigRational)> {
+        self.0.enclosure()
+    }
+}
+
+macro_rules! operator {
+    ($operator:ident, $method:ident) => {
+        impl<S: Scalar> $operator for Falling<S> {
+            type Output = Self;
+
+            #[inline]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0))
+            }
+        }
+
+        impl<S: Scalar> $operator<&Self> for Falling<S> {
+            type Output = Self;
+
+            #[inline]
+            fn $method(self, other: &Self) -> Self {
+                Self(self.0.$method(&other.0))
+            }
+        }
+    };
+}
+
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl<S: Scalar> Neg for Falling<S> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
