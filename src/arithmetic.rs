@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use crate::effects::{self, Fall, Warp};
 use crate::scalar::{Exact, Filtered, Number, Scalar};
 use crate::timeline::Timed;
 
@@ -92,6 +93,12 @@ pub trait Arithmetic: Timed {
     /// 2^range; none where all are.
     const RANGE: Option<i32>;
 
+    /// What starts a course under gravity, where there is such a thing.
+    const FALL: Option<Fall<Self>>;
+
+    /// How times are warped, under drag.
+    const WARP: Warp<Self>;
+
     /// A rational of the size that a [`Number`] can have, rounded at most
     /// once.
     fn from_rational(value: BigRational, precision: Self::Precision) -> Self {
@@ -121,6 +128,8 @@ pub trait Arithmetic: Timed {
 
 impl Arithmetic for f64 {
     const NAME: &'static str = "f64";
+    const FALL: Option<Fall<Self>> = Some(effects::fall);
+    const WARP: Warp<Self> = effects::BINARY64;
     /// No product of four numbers overflows or vanishes.
     const RANGE: Option<i32> = Some(Number::BINARY64_RANGE);
 
@@ -150,6 +159,8 @@ impl Arithmetic for f64 {
 
 impl Arithmetic for Filtered {
     const NAME: &'static str = "filtered";
+    const FALL: Option<Fall<Self>> = None;
+    const WARP: Warp<Self> = effects::FILTERED;
     /// The numbers can be stored, with all their bits.
     const RANGE: Option<i32> = Some(1000);
 
@@ -178,6 +189,8 @@ impl Arithmetic for Filtered {
 
 impl Arithmetic for Exact {
     const NAME: &'static str = "exact";
+    const FALL: Option<Fall<Self>> = Some(effects::fall);
+    const WARP: Warp<Self> = effects::EXACT;
     const RANGE: Option<i32> = None;
 
     fn certain_bits(&self) -> Option<u32> {

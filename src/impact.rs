@@ -69,6 +69,23 @@ impl<S: Arithmetic> Impact<S> {
     }
 }
 
+impl<S> Impact<S> {
+    /// The same impact with numbers made from its own.
+    pub(crate) fn map<T>(&self, make: impl Fn(&S) -> T) -> Impact<T> {
+        let contact = self.contact.as_ref();
+        Impact {
+            time: make(&self.time),
+            moment: self.moment,
+            other_time: self.other_time.as_ref().map(&make),
+            pair: self.pair,
+            end: self.end,
+            tie: self.tie,
+            step: self.step,
+            contact: contact.map(|contact| Box::new(contact.map(&make))),
+        }
+    }
+}
+
 impl<S> Contact<S> {
     /// The same contact with numbers made from its own.
     pub(crate) fn map<T>(&self, make: impl Fn(&S) -> T) -> Contact<T> {

@@ -14,7 +14,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 use std::fmt::Debug;
 
 use crate::algebra::Expression;
-use crate::body::Disc;
+use crate::body::{Disc, Wall};
 use crate::detect::{
     Encounter, End, Overlap, Segment, meet_circle, meet_segment, overlap_circle, overlap_segment,
 };
@@ -123,6 +123,45 @@ impl<S: Kernel> Clone for Flight<'_, S> {
 
 impl<S: Kernel> Copy for Flight<'_, S> {}
 
+/// What acts on a disc in flight, and what holds it. Nothing does where motion
+/// is straight.
+pub trait Pull<S: Scalar>: Clone + Debug + Send + Sync + 'static {
+    /// Whether anything holds the disc.
+    fn is_held(&self) -> bool {
+        false
+    }
+
+    /// Whether a wall holds the disc, which rests on it or slides along it.
+    fn is_held_by(&self, wall: usize) -> bool {
+        let _ = wall;
+        false
+    }
+
+    /// Notes that the disc touches a wall and does not move towards it: the wall
+    /// holds it if it is pulled there.
+    fn rest_on(
+        &mut self,
+        disc: &mut Disc<S>,
+        wall: usize,
+        walls: &[Wall<S>],
+    ) -> Result<(), S::Doubt> {
+        let _ = (disc, wall, walls);
+        Ok(())
+    }
+
+    /// Notes that nothing holds the disc any more.
+    fn let_go(&mut self) {}
+
+    /// Notes that the disc has slid off at the end of a wall. Tells whether it
+    /// flies off, rather than fall around the end.
+    fn slide_off(&mut self, disc: &Disc<S>, corner: &Vec2<S>) -> Result<bool, S::Doubt> {
+        let _ = (disc, corner);
+        Ok(true)
+    }
+}
+
+impl<S: Scalar> Pull<S> for () {}
+
 /// Two discs in flight.
 #[derive(Debug)]
 pub struct Approach<'a, S: Kernel> {
@@ -180,6 +219,8 @@ pub struct Met<T> {
     pub overlap: bool,
     /// Whether they overlap already, and do not only touch.
     pub inside: bool,
+    /// Whether they touch and neither approach nor part, but are pressed together.
+    pub rest: bool,
     /// The wall's end point that is touched, unless its interior is.
     pub end: Option<End>,
 }
@@ -195,6 +236,7 @@ impl<T> Met<T> {
             graze: false,
             overlap: true,
             inside: false,
+            rest: false,
             end: None,
         }
     }
@@ -210,6 +252,7 @@ impl<T> Met<T> {
             graze: encounter.graze,
             overlap: encounter.overlap,
             inside: encounter.inside,
+            rest: encounter.rest,
             end: encounter.end,
         }
     }
@@ -223,7 +266,7 @@ pub trait Kernel: Scalar {
     type Time: Time<Self>;
 
     /// What acts on a disc in flight; nothing where motion is straight.
-    type Pull: Clone + Debug + Send + Sync + 'static;
+    type Pull: Pull<Self>;
 
     /// Whether it is remembered that bodies touch which were brought to their
     /// contact, since the numbers do not show it.
@@ -256,6 +299,24 @@ pub trait Kernel: Scalar {
     ) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
         let _ = approach;
         Ok(None)
+    }
+
+    /// When a disc gets to the end of a wall that holds it.
+    #[inline]
+    fn leave_wall(
+        flight: Flight<'_, Self>,
+        wall: &Segment<Self>,
+    ) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
+        let _ = (flight, wall);
+        Ok(None)
+    }
+
+    /// How long a disc that has just hit a wall bounces on it, if nothing else
+    /// happens, and each impact leaves so much of its speed.
+    #[inline]
+    fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<Self> {
+        let _ = (flight, wall, kept);
+        None
     }
 
     /// When a disc meets a wall again that it touches, in its interior or at an

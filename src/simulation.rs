@@ -7,12 +7,12 @@ use num_rational::BigRational;
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::contacts::Contacts;
-use crate::effects::Forces;
+use crate::effects::{Course, Forces, course};
 use crate::frame::{self, Frame, Passes};
 use crate::impact::Impact;
 use crate::kernel::Kernel;
 use crate::scene::{self, Scene};
-use crate::timeline::{Accumulation, Timed, Timeline};
+use crate::timeline::{Accumulation, Setup, Timed};
 use crate::world::World;
 
 /// How a scene is simulated.
@@ -57,7 +57,7 @@ pub struct Simulation<S: Timed> {
 #[derive(Clone, Debug)]
 enum Machine<S: Timed> {
     Frames(World<S>, Algorithm, Option<Forces<S>>),
-    Timeline(Box<Timeline<S>>),
+    Timeline(Box<dyn Course<S>>),
 }
 
 impl<S: Arithmetic> Simulation<S> {
@@ -76,7 +76,9 @@ impl<S: Arithmetic> Simulation<S> {
         let machine = match algorithm {
             Algorithm::Timeline => {
                 let end = clock.start_of(scene.frame().count, precision);
-                Machine::Timeline(Box::new(Timeline::new(world, &end)?))
+                let effects = scene.effects();
+                let setup = Setup::default();
+                Machine::Timeline(course(world, effects, &end, &setup, precision)?)
             }
             _ => {
                 let forces = Forces::of(scene.effects(), precision);
@@ -116,7 +118,7 @@ impl<S: Arithmetic> Simulation<S> {
 
     /// Infinitely many impacts that a frame has had, beyond which nothing is
     /// known.
-    pub fn accumulation(&self) -> Option<&Accumulation<S>> {
+    pub fn accumulation(&self) -> Option<Accumulation<S>> {
         match &self.machine {
             Machine::Frames(..) => None,
             Machine::Timeline(timeline) => timeline.accumulation(),

@@ -2,7 +2,8 @@
 
 use crate::arithmetic::Arithmetic;
 use crate::scalar::Number;
-use crate::scene::{Mass, Restitution, Scene};
+use crate::scene::{Disc, Mass, Restitution, Scene};
+use crate::simulation::Algorithm;
 
 /// Something that a scene asks for and that is not to be had.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -13,6 +14,15 @@ pub enum Unsupported {
     Effect {
         /// Where the scene asks for it.
         place: &'static str,
+    },
+    /// An effect that an algorithm does not have in an arithmetic, or not
+    /// together with another one.
+    #[error("{place}: not available {circumstance}")]
+    Combination {
+        /// Where the scene asks for it.
+        place: &'static str,
+        /// With what it is not.
+        circumstance: String,
     },
     /// A number that is too large or too small for an arithmetic.
     #[error(
@@ -30,22 +40,57 @@ pub enum Unsupported {
     },
 }
 
-/// Whether a scene can be simulated in an arithmetic.
+/// Whether an algorithm can simulate a scene in an arithmetic.
 ///
 /// # Errors
 ///
-/// The first thing that cannot.
-pub fn check_support<S: Arithmetic>(scene: &Scene) -> Result<(), Unsupported> {
-    let effects = scene.effects();
-    let absent = [
-        (scene.periodic().is_some(), "periodic"),
-        (effects.gravity.is_some(), "effects.gravity"),
-        (effects.drag.is_some(), "effects.drag"),
-    ];
-    if let Some((_, place)) = absent.into_iter().find(|(asked, _)| *asked) {
-        return Err(Unsupported::Effect { place });
+/// The first thing that it cannot.
+pub fn check_support<S: Arithmetic>(
+    scene: &Scene,
+    algorithm: Algorithm,
+) -> Result<(), Unsupported> {
+    if scene.periodic().is_some() {
+        return Err(Unsupported::Effect { place: "periodic" });
     }
+    check_effects::<S>(scene, algorithm)?;
     numbers(scene).try_for_each(|(place, number)| check_number::<S>(place, number))
+}
+
+/// The frame algorithms take all effects.
+fn check_effects<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Result<(), Unsupported> {
+    let effects = scene.effects();
+    if algorithm != Algorithm::Timeline {
+        return Ok(());
+    }
+    let refuse = |place, circumstance: &str| {
+        let circumstance = format!("by the timeline {circumstance}");
+        Err(Unsupported::Combination {
+            place,
+            circumstance,
+        })
+    };
+    match (&effects.gravity, &effects.drag) {
+        (None, None) => Ok(()),
+        (Some(_), None) => match S::FALL {
+            Some(_) => Ok(()),
+            None => refuse("effects.gravity", &format!("in {}", S::NAME)),
+        },
+        (Some(_), Some(_)) => refuse("effects.drag", "together with gravity"),
+        (None, Some(_)) if has_moving_wall(scene) => refuse(
+            "effects.drag",
+            "together with a moving disc of infinite mass",
+        ),
+        (None, Some(_)) if slow_limit(scene).is_some() => {
+            refuse("effects.drag", "together with elastic_below")
+        }
+        (None, Some(_)) => Ok(()),
+    }
+}
+
+fn has_moving_wall(scene: &Scene) -> bool {
+    let moves = |disc: &Disc| !disc.velocity.iter().all(Number::is_zero);
+    let mut discs = scene.discs().iter();
+    discs.any(|disc| disc.mass == Mass::Infinite && moves(disc))
 }
 
 /// Whether an arithmetic can compute with a number. Where its range is

@@ -32,7 +32,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use crate::arithmetic::Arithmetic;
 use crate::scalar::Filtered;
 use crate::scene::Scene;
-use crate::support::check_support;
+use crate::simulation::Algorithm;
+use crate::support::{self, Unsupported};
 use flight::Trial;
 use record::Record;
 
@@ -94,6 +95,27 @@ pub fn check_with(scene: &Scene, effort: &Effort) -> Result<(), Finding> {
     checked::<Filtered>(scene, effort)
 }
 
+/// Whether the runs of a scene can be checked: bodies have to move straight.
+///
+/// # Errors
+///
+/// What stands in the way.
+pub fn check_support(scene: &Scene) -> Result<(), Unsupported> {
+    let effects = scene.effects();
+    let bent = [
+        (effects.gravity.is_some(), "effects.gravity"),
+        (effects.drag.is_some(), "effects.drag"),
+    ];
+    if let Some((_, place)) = bent.into_iter().find(|(asked, _)| *asked) {
+        let circumstance = String::from("where runs are checked");
+        return Err(Unsupported::Combination {
+            place,
+            circumstance,
+        });
+    }
+    support::check_support::<f64>(scene, Algorithm::Timeline)
+}
+
 fn checked<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(), Finding> {
     guarded(trial::<S>(Run::Timeline), || examine::<S>(scene, effort))
 }
@@ -118,7 +140,9 @@ fn trial<S: Arithmetic>(run: Run) -> Trial {
 }
 
 fn examine<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(), Finding> {
-    if check_support::<S>(scene).is_err() {
+    if check_support(scene).is_err()
+        || support::check_support::<S>(scene, Algorithm::Timeline).is_err()
+    {
         return Ok(());
     }
     examine_timeline::<S>(scene, effort)?;

@@ -89,6 +89,6 @@ fn rest<S: Arithmetic>(scene: &Scene, after: usize) -> Option<Scene> {
     let outcome = run::<S>(scene, Algorithm::Timeline, &options, &mut go_on).ok()?;
     let rest = end_scene(scene, &outcome, None).ok()?;
     let read = Scene::from_json(&rest.to_json()).expect("what is written is read");
-    crate::support::check_support::<S>(&read).ok()?;
+    crate::support::check_support::<S>(&read, Algorithm::Timeline).ok()?;
     Some(read)
 }

@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use carom::check::{Finding, check, minimise};
+use carom::check::{Finding, check, check_support, minimise};
 use carom::scene::Scene;
-use carom::support::check_support;
 
 use super::error::{self, Error};
 use super::exit::Exit;
@@ -30,7 +29,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let mut exit = Exit::Success;
     for path in &arguments.scenes {
         let scene = Scene::read(path)?;
-        check_support::<f64>(&scene).map_err(|reason| Error::Unsupported {
+        check_support(&scene).map_err(|reason| Error::Unsupported {
             file: path.display().to_string(),
             reason,
         })?;

@@ -104,7 +104,7 @@ impl Arguments {
             file: self.scene.display().to_string(),
             reason,
         };
-        check_support::<S>(scene).map_err(unsupported)?;
+        check_support::<S>(scene, algorithm).map_err(unsupported)?;
         self.check_until::<S>()?;
         interrupt::listen();
         let outputs = self.open_outputs()?;

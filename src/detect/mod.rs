@@ -19,6 +19,7 @@ use crate::scalar::Scalar;
 pub use circle::meet_circle;
 pub use gap::{gap_circle, gap_segment};
 pub use overlap::{Overlap, Separation, overlap_circle, overlap_segment};
+pub(crate) use segment::Nearest;
 pub use segment::{End, Segment, meet_segment};
 
 /// The first time that two bodies touch while they move freely.
@@ -32,6 +33,8 @@ pub struct Encounter<S> {
     pub overlap: bool,
     /// Whether they overlap now, and do not only touch.
     pub inside: bool,
+    /// Whether they touch and neither approach nor part, but are pressed together.
+    pub rest: bool,
     /// The wall's end point that is touched, unless its interior is.
     pub end: Option<End>,
 }
@@ -45,32 +48,41 @@ impl<S: Scalar> Encounter<S> {
         }
     }
 
+    /// The bodies touch, and are pressed together.
+    pub(crate) fn rest() -> Self {
+        Self {
+            rest: true,
+            ..Self::now()
+        }
+    }
+
     /// The bodies overlap and approach already.
-    fn inside() -> Self {
+    pub(crate) fn inside() -> Self {
         Self {
             inside: true,
             ..Self::now()
         }
     }
 
-    fn impact(delay: S) -> Self {
+    pub(crate) fn impact(delay: S) -> Self {
         Self {
             delay,
             graze: false,
             overlap: false,
             inside: false,
+            rest: false,
             end: None,
         }
     }
 
-    fn graze(delay: S) -> Self {
+    pub(crate) fn graze(delay: S) -> Self {
         Self {
             graze: true,
             ..Self::impact(delay)
         }
     }
 
-    fn at(self, end: End) -> Self {
+    pub(crate) fn at(self, end: End) -> Self {
         Self {
             end: Some(end),
             ..self

@@ -95,7 +95,7 @@ impl<S: Scalar> Segment<S> {
 
     /// The part of the segment that is nearest to a point whose offset from
     /// the first end point is given.
-    pub(super) fn nearest(&self, offset: &Vec2<S>) -> Result<Nearest, S::Doubt> {
+    pub(crate) fn nearest(&self, offset: &Vec2<S>) -> Result<Nearest, S::Doubt> {
         let foot = offset.dot(&self.along);
         Ok(match foot.sign()? {
             Less => Nearest::Beyond(End::From),
@@ -110,7 +110,7 @@ impl<S: Scalar> Segment<S> {
 }
 
 /// Where the perpendicular from a point meets a segment's line.
-pub(super) enum Nearest {
+pub(crate) enum Nearest {
     /// On the segment, possibly exactly at an end point.
     Foot(Option<End>),
     /// Outside the segment, on the side of this end point.

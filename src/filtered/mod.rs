@@ -192,6 +192,7 @@ fn met(time: Moment) -> Met<Moment> {
         graze: false,
         overlap: false,
         inside: false,
+        rest: false,
         end: None,
     }
 }

@@ -47,7 +47,8 @@ pub fn judge<S: Arithmetic>(
     algorithm: Algorithm,
     budget: &Budget,
 ) -> Result<Judged, Unsupported> {
-    check_support::<S>(scene)?;
+    check_support::<S>(scene, algorithm)?;
+    check_support::<Exact>(scene, Algorithm::Timeline)?;
     let mut precision = S::first_precision(budget);
     loop {
         let mut trial = Trial::<S>::new(scene, budget, precision);
@@ -168,7 +169,7 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         world.contacts = contacts.clone();
         let start = self.clock.start_of(self.judged.frames, bits);
         let duration = self.clock.start_of(1, bits);
-        true_frame(world, &start, &duration)
+        true_frame(world, self.scene.effects(), bits, &start, &duration)
     }
 
     fn tally(&mut self, truth: &Truth, impacts: &[Logged], end: &[Disc<S>]) {

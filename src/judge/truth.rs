@@ -1,9 +1,11 @@
 //! The exact timeline, as what others are held against.
 
 use super::tally::Logged;
+use crate::effects::course;
 use crate::impact::{Impact, number_ties};
 use crate::scalar::{Exact, Scalar, Undecided};
-use crate::timeline::Timeline;
+use crate::scene::Effects;
+use crate::timeline::Setup;
 use crate::vec2::Vec2;
 use crate::world::World;
 
@@ -24,10 +26,12 @@ pub struct Truth {
 /// The precision of the numbers leaves a decision open.
 pub fn true_frame(
     world: World<Exact>,
+    effects: &Effects,
+    bits: u32,
     start: &Exact,
     duration: &Exact,
 ) -> Result<Option<Truth>, Undecided> {
-    let mut timeline = Timeline::new(world, duration)?;
+    let mut timeline = course(world, effects, duration, &Setup::default(), bits)?;
     let mut impacts = Vec::new();
     while let Some(impact) = timeline.next_impact(duration)? {
         let time = start.clone() + &impact.time;

@@ -155,7 +155,7 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
         Summary {
             events: outcome.impacts.len() as u64,
             grazes: outcome.grazes,
-            resting: 0,
+            resting: outcome.rests,
             until,
             reached: (reached != until).then_some(reached),
             status: Ending::from(&outcome.status),

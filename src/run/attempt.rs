@@ -7,12 +7,13 @@ use num_rational::BigRational;
 use super::{Options, Outcome, Progress, Status};
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
+use crate::effects::{Course, course};
 use crate::impact::{Impact, number_ties};
 use crate::scalar::{Doubt, Scalar, Undecided};
-use crate::scene::Scene;
+use crate::scene::{Effects, Scene};
 use crate::simulation::{Algorithm, FrameClock, Simulation};
 use crate::symmetry::Symmetry;
-use crate::timeline::{Setup, Timeline};
+use crate::timeline::Setup;
 use crate::world::World;
 
 /// What an attempt has and has got so far.
@@ -56,7 +57,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         let start = world.discs.clone();
         let overlaps = world.count_overlaps();
         let ran = match algorithm {
-            Algorithm::Timeline => self.follow(world),
+            Algorithm::Timeline => self.follow(world, scene.effects()),
             _ => self.step(scene, algorithm),
         };
         let mut impacts = std::mem::take(&mut self.impacts);
@@ -65,6 +66,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
             status: ran.status,
             impacts,
             grazes: ran.grazes,
+            rests: ran.rests,
             closest_call: ran.closest_call,
             restarts: 0,
             overlaps: 0,
@@ -90,42 +92,44 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
     }
 
     /// Follows the timeline to the end.
-    fn follow(&mut self, world: World<S>) -> Ran<S> {
+    fn follow(&mut self, world: World<S>, effects: &Effects) -> Ran<S> {
         let end = S::from_rational(self.end.clone(), self.precision);
         let start = world.discs.clone();
-        let mut timeline = match Timeline::with_setup(world, &end, &self.setup()) {
+        let course = course(world, effects, &end, &self.setup(), self.precision);
+        let mut timeline = match course {
             Ok(timeline) => timeline,
             Err(doubt) => return Ran::stuck(doubt, start),
         };
-        let status = self.follow_impacts(&mut timeline, &end);
+        let status = self.follow_impacts(&mut *timeline, &end);
         let time = match status {
             Status::Complete => end,
-            _ => timeline.now().clone(),
+            _ => timeline.now(),
         };
         Ran {
             discs: timeline.discs_at(&time),
             grazes: timeline.grazes(),
+            rests: timeline.rests(),
             closest_call: timeline.closest_call(),
             status,
             time,
         }
     }
 
-    fn follow_impacts(&mut self, timeline: &mut Timeline<S>, end: &S) -> Status {
+    fn follow_impacts(&mut self, timeline: &mut dyn Course<S>, end: &S) -> Status {
         loop {
             match timeline.next_impact(end) {
                 Err(doubt) => return Status::Undecided(doubt.into_undecided()),
                 Ok(None) => return self.ending(timeline),
                 Ok(Some(impact)) => self.note(impact),
             }
-            if let ControlFlow::Break(status) = self.pause(timeline.now()) {
+            if let ControlFlow::Break(status) = self.pause(&timeline.now()) {
                 return status;
             }
         }
     }
 
     /// How a timeline without further impacts ended.
-    fn ending(&self, timeline: &Timeline<S>) -> Status {
+    fn ending(&self, timeline: &dyn Course<S>) -> Status {
         let Some(found) = timeline.accumulation() else {
             return Status::Complete;
         };
@@ -136,7 +140,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
             let question = format!("{digits} digits of the time at which impacts accumulate");
             return Status::Undecided(Undecided::new(bits, question));
         }
-        Status::Accumulation(found.into())
+        Status::Accumulation((&found).into())
     }
 
     /// Steps through the frames up to the end.
@@ -156,6 +160,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         Ran {
             status,
             grazes: 0,
+            rests: 0,
             closest_call: None,
             discs: simulation.discs(),
             time: self.clock.start_of(done, self.precision),
@@ -206,6 +211,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
 struct Ran<S> {
     status: Status,
     grazes: u64,
+    rests: u64,
     closest_call: Option<f64>,
     discs: Vec<Disc<S>>,
     time: S,
@@ -217,6 +223,7 @@ impl<S: Scalar> Ran<S> {
         Self {
             status: Status::Undecided(doubt.into_undecided()),
             grazes: 0,
+            rests: 0,
             closest_call: None,
             discs,
             time: S::from_integer(0),

@@ -90,6 +90,8 @@ pub struct Outcome<S: Scalar> {
     pub impacts: Vec<Impact<S>>,
     /// How many tangent passes there were.
     pub grazes: u64,
+    /// How many contacts became resting.
+    pub rests: u64,
     /// The least relative difference of two different times of which the
     /// timeline had to find out which is the first, or less; if there were any.
     pub closest_call: Option<f64>,
@@ -119,7 +121,7 @@ pub fn run<S: Arithmetic>(
     options: &Options,
     watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome<S>, Unsupported> {
-    check_support::<S>(scene)?;
+    check_support::<S>(scene, algorithm)?;
     if let Some(until) = &options.until {
         check_number::<S>("until", until)?;
     }

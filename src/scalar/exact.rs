@@ -69,6 +69,23 @@ impl Exact {
         Self::plain(Value::from_ratio(ratio, bits), bits)
     }
 
+    /// A number between two bounds.
+    pub(crate) fn between([lo, hi]: [BigRational; 2], bits: u32) -> Self {
+        if lo == hi {
+            return Self::from_rational(lo, bits);
+        }
+        let half = (&hi - &lo) / BigRational::from_integer(2.into());
+        let shift = 64 + half.denom().bits().saturating_sub(half.numer().bits());
+        let radius = (half.numer() << shift) / half.denom() + 1;
+        let radius = Radius::above(&Dyadic::new(radius, -(shift as i64)));
+        let around = Ball::around(Dyadic::zero(), radius);
+        let middle = Ball::from_ratio(&(lo + half), precision(bits));
+        Self::plain(
+            Value::Ball(middle.add(around.view(), precision(bits))),
+            bits,
+        )
+    }
+
     /// Whether the number is known exactly, as a rational.
     pub fn is_rational(&self) -> bool {
         self.value.is_exact()

@@ -24,6 +24,7 @@ mod parse;
 mod radius;
 mod rounding;
 mod step;
+mod transcendental;
 mod undecided;
 mod value;
 

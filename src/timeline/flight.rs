@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use super::arbiter::{Arbiter, Foreseen, Timed};
-use crate::body::{Disc, Feature};
+use crate::body::{Disc, End, Feature, Wall};
 use crate::detect::{gap_circle, gap_segment};
 use crate::impact::Place;
-use crate::kernel::{Approach, Flight, Kernel, Met, Time};
+use crate::kernel::{Approach, Flight, Kernel, Met, Pull, Time};
 use crate::respond::ClusterContact;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
@@ -34,6 +34,9 @@ pub struct Meeting<S: Kernel> {
     pub(super) overlap: bool,
     /// Whether they overlap, and do not only touch.
     pub(super) inside: bool,
+    /// Whether nothing collides then, but the two are pressed together, or part
+    /// that were.
+    pub(super) rest: bool,
     /// The name of the time, if the meeting follows without any delay.
     pub(super) moment: Option<u64>,
 }
@@ -74,10 +77,18 @@ impl<S: Kernel> Flights<S> {
         disc: usize,
         obstacle: Obstacle,
     ) -> Result<Option<Meeting<S>>, S::Doubt> {
+        if let Some(met) = self.leave_wall(disc, obstacle) {
+            return met;
+        }
         if let Some(feature) = self.contact(disc, obstacle) {
             let place = self.place(disc, feature, &self.since[disc], true);
-            let approaches = self.world.approaches(disc, feature, &place.other)?;
-            return Ok(approaches.then(|| self.touching(disc, feature)));
+            if self.world.approaches(disc, feature, &place.other)? {
+                return Ok(Some(self.touching(disc, feature)));
+            }
+            return self.meet_again(disc, obstacle, feature);
+        }
+        if let Some(feature) = self.world.parted_from(disc, obstacle) {
+            return self.meet_again(disc, obstacle, feature);
         }
         match obstacle {
             Obstacle::Disc(other) => self.meet_disc(disc, other),
@@ -85,8 +96,49 @@ impl<S: Kernel> Flights<S> {
         }
     }
 
+    /// When a disc gets to the end of an obstacle that holds it, if that does.
     #[inline]
-    fn meet_disc(&self, disc: usize, other: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
+    fn leave_wall(
+        &self,
+        disc: usize,
+        obstacle: Obstacle,
+    ) -> Option<Result<Option<Meeting<S>>, S::Doubt>> {
+        match obstacle {
+            Obstacle::Wall(wall) if self.world.pulls[disc].is_held_by(wall) => {
+                let segment = &self.world.walls[wall].segment;
+                let met = S::leave_wall(self.flight(disc), segment);
+                Some(met.map(|met| self.meeting_at_wall(disc, wall, met)))
+            }
+            _ => None,
+        }
+    }
+
+    /// When a disc comes back to a feature that it touches, and parts from.
+    fn meet_again(
+        &self,
+        disc: usize,
+        obstacle: Obstacle,
+        feature: Feature,
+    ) -> Result<Option<Meeting<S>>, S::Doubt> {
+        match obstacle {
+            Obstacle::Disc(other) => {
+                let (late, approach) = self.approach(disc, other);
+                let met = S::meet_disc_again(&approach)?;
+                Ok(met.map(|met| self.meeting(late, met, feature)))
+            }
+            Obstacle::Wall(wall) => {
+                let Wall { segment, corners } = &self.world.walls[wall];
+                let is_touched = |end: &End| feature == Feature::Corner(corners[*end as usize]);
+                let touched = [End::From, End::To].into_iter().find(is_touched);
+                let met = S::meet_wall_again(self.flight(disc), segment, touched)?;
+                Ok(self.meeting_at_wall(disc, wall, met))
+            }
+        }
+    }
+
+    /// Two discs, and which of them is known since the later time.
+    #[inline]
+    fn approach(&self, disc: usize, other: usize) -> (usize, Approach<'_, S>) {
         let (early, late) = if self.turn[disc] < self.turn[other] {
             (disc, other)
         } else {
@@ -97,6 +149,12 @@ impl<S: Kernel> Flights<S> {
             late: self.flight(late),
             together: self.moment[early] == self.moment[late],
         };
+        (late, approach)
+    }
+
+    #[inline]
+    fn meet_disc(&self, disc: usize, other: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
+        let (late, approach) = self.approach(disc, other);
         check_order(&approach)?;
         let met = S::meet_discs(&approach)?;
         let feature = Feature::Disc(other as u32);
@@ -105,10 +163,20 @@ impl<S: Kernel> Flights<S> {
 
     fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
         let met = self.world.meet_wall(disc, &self.since[disc], wall)?;
-        Ok(met.map(|met| {
+        Ok(self.meeting_at_wall(disc, wall, met))
+    }
+
+    #[inline]
+    fn meeting_at_wall(
+        &self,
+        disc: usize,
+        wall: usize,
+        met: Option<Met<S::Time>>,
+    ) -> Option<Meeting<S>> {
+        met.map(|met| {
             let feature = self.world.feature(wall, met.end);
             self.meeting(disc, met, feature)
-        }))
+        })
     }
 
     /// The meeting of a disc with a feature that it touches and approaches.
@@ -126,6 +194,7 @@ impl<S: Kernel> Flights<S> {
             graze: met.graze,
             overlap: met.overlap,
             inside: met.inside,
+            rest: met.rest,
             moment: met.overlap.then_some(self.moment[late]),
         }
     }
@@ -164,9 +233,12 @@ impl<S: Kernel> Flights<S> {
 
     /// A disc as it is at a time.
     pub(super) fn disc_at(&self, disc: usize, time: &S) -> Disc<S> {
+        let flight = self.flight(disc);
+        let time = S::Time::at(time.clone());
         Disc {
-            position: self.position_at(disc, time),
-            ..self.world.discs[disc].clone()
+            position: S::position_at(flight, &time),
+            velocity: S::velocity_at(flight, &time),
+            ..flight.disc.clone()
         }
     }
 

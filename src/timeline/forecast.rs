@@ -151,6 +151,12 @@ impl<S: Kernel> Forecast<S> {
         self.meeting().is_some_and(|meeting| meeting.inside)
     }
 
+    /// Whether the two come to rest on each other then, or part that were.
+    #[inline]
+    pub(super) fn is_rest(&self) -> bool {
+        self.meeting().is_some_and(|meeting| meeting.rest)
+    }
+
     /// Whether the two only pass in tangency.
     #[inline]
     pub(super) fn is_graze(&self) -> bool {

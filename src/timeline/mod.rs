@@ -20,6 +20,7 @@ mod front;
 mod neighbours;
 mod nested;
 mod queue;
+mod rest;
 mod step;
 mod sweep;
 mod ties;
@@ -128,6 +129,7 @@ pub struct Timeline<S: Timed> {
     now: S,
     turn: u64,
     grazes: u64,
+    rests: u64,
     /// The least relative difference of the first two different times, at any
     /// impact.
     closest: f64,
@@ -175,6 +177,7 @@ impl<S: Timed> Timeline<S> {
             now: S::from_integer(0),
             turn: 0,
             grazes: 0,
+            rests: 0,
             closest: f64::INFINITY,
             negligible: until.hull().hi() * 2f64.powi(-1000),
             watch,
@@ -192,10 +195,10 @@ impl<S: Timed> Timeline<S> {
     ///
     /// It cannot be decided which impact is the next.
     pub fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
-        if self.accumulates(limit) {
-            return Ok(None);
-        }
         loop {
+            if self.pending.is_empty() && self.accumulates(limit) {
+                return Ok(None);
+            }
             if let Some(impact) = self.pending.pop_front() {
                 self.observe(&impact);
                 return Ok(Some(impact));
@@ -205,6 +208,9 @@ impl<S: Timed> Timeline<S> {
             };
             if !self.tied.is_empty() {
                 self.gather(disc)?;
+                continue;
+            }
+            if !S::IS_STRAIGHT && self.rest(disc)? {
                 continue;
             }
             if self.resolve_at_once(disc)? {
@@ -226,6 +232,11 @@ impl<S: Timed> Timeline<S> {
     /// How many tangent passes there were so far.
     pub fn grazes(&self) -> u64 {
         self.grazes
+    }
+
+    /// How many contacts became resting so far.
+    pub fn rests(&self) -> u64 {
+        self.rests
     }
 
     /// The least difference, relative to either, of two different times of which
@@ -306,6 +317,9 @@ impl<S: Timed> Timeline<S> {
         }
         let (pair, end) = world.names(first, feature);
         self.part_nested(first, feature, &time);
+        if !S::IS_STRAIGHT {
+            self.let_go(changed, first, feature)?;
+        }
         for disc in changed.into_iter().flatten() {
             self.grazed[disc].clear();
             self.parted[disc].clear();

@@ -78,6 +78,34 @@ impl<S: Kernel> World<S> {
     }
 
     fn discs_are_barred(&self, i: usize, j: usize) -> bool {
+        if !S::IS_STRAIGHT {
+            return [i, j].iter().all(|&disc| !self.discs[disc].is_movable());
+        }
+        self.discs_have_parted(i, j)
+    }
+
+    fn wall_is_barred(&self, disc: usize, wall: usize) -> bool {
+        let is_movable = self.discs[disc].is_movable();
+        !is_movable || S::IS_STRAIGHT && self.wall_parted_from(disc, wall).is_some()
+    }
+
+    /// What of an obstacle a disc has parted from, when its motion changed last,
+    /// and may come back to.
+    #[inline]
+    pub(crate) fn parted_from(&self, disc: usize, obstacle: Obstacle) -> Option<Feature> {
+        if S::IS_STRAIGHT {
+            return None;
+        }
+        match obstacle {
+            Obstacle::Disc(other) => {
+                let feature = Feature::Disc(other as u32);
+                self.discs_have_parted(disc, other).then_some(feature)
+            }
+            Obstacle::Wall(wall) => self.wall_parted_from(disc, wall),
+        }
+    }
+
+    fn discs_have_parted(&self, i: usize, j: usize) -> bool {
         let (first, second) = (&self.discs[i], &self.discs[j]);
         let parted = |disc: &Disc<S>, other: usize| {
             !disc.is_movable() || disc.last == Some(Feature::Disc(other as u32))
@@ -85,14 +113,12 @@ impl<S: Kernel> World<S> {
         parted(first, j) && parted(second, i)
     }
 
-    fn wall_is_barred(&self, disc: usize, wall: usize) -> bool {
-        let disc = &self.discs[disc];
-        !disc.is_movable()
-            || match disc.last {
-                Some(Feature::Wall(last)) => last as usize == wall,
-                Some(Feature::Corner(last)) => self.walls[wall].corners.contains(&last),
-                _ => false,
-            }
+    fn wall_parted_from(&self, disc: usize, wall: usize) -> Option<Feature> {
+        self.discs[disc].last.filter(|last| match *last {
+            Feature::Wall(last) => last as usize == wall,
+            Feature::Corner(last) => self.walls[wall].corners.contains(&last),
+            Feature::Disc(_) => false,
+        })
     }
 
     /// Whether a disc that parts from a feature parts from all of an obstacle:

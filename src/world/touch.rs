@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::{Obstacle, World};
 use crate::body::Feature;
 use crate::detect::Overlap;
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, Pull};
 use crate::scalar::Doubt;
 use crate::vec2::Vec2;
 
@@ -117,10 +117,14 @@ impl<S: Kernel> World<S> {
     /// is; only a wall along which it moved it goes on to touch, up to its end.
     pub(crate) fn leave_contacts(&mut self, disc: usize, direction: &Vec2<S>) {
         let (walls, position) = (&self.walls, &self.discs[disc].position);
+        let pull = &self.pulls[disc];
         self.contacts.leave(disc, |feature| {
             let Feature::Wall(wall) = feature else {
                 return false;
             };
+            if !S::IS_STRAIGHT {
+                return pull.is_held_by(wall as usize);
+            }
             let segment = &walls[wall as usize].segment;
             let across = segment.along.cross(direction);
             across.sign().is_ok_and(Ordering::is_eq) && segment.is_surely_beside(position)

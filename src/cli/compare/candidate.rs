@@ -60,9 +60,9 @@ impl Selection<'_> {
 impl Candidate {
     pub(super) fn check(&self, scene: &Scene) -> Result<(), Unsupported> {
         match self.arithmetic {
-            ArithmeticName::Binary64 => check_support::<f64>(scene),
-            ArithmeticName::Filtered => check_support::<Filtered>(scene),
-            ArithmeticName::Exact => check_support::<Exact>(scene),
+            ArithmeticName::Binary64 => check_support::<f64>(scene, self.algorithm),
+            ArithmeticName::Filtered => check_support::<Filtered>(scene, self.algorithm),
+            ArithmeticName::Exact => check_support::<Exact>(scene, self.algorithm),
         }
     }
 

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 use carom::scalar::Exact;
 use carom::scene::Scene;
+use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
 use clap::ValueEnum;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -186,7 +187,7 @@ impl Arguments {
 
 /// Whether the truth can be found and each candidate can be run.
 fn check(scene: &Scene, candidates: &[Candidate]) -> Result<(), Unsupported> {
-    check_support::<Exact>(scene)?;
+    check_support::<Exact>(scene, Algorithm::Timeline)?;
     candidates
         .iter()
         .try_for_each(|candidate| candidate.check(scene))

@@ -6,7 +6,8 @@
 //! against something, whether energy is lost or not. The run cannot get past
 //! that time, the limit.
 //!
-//! It is found in three ways. Of three bodies on a line, [`trio`] proves it and
+//! Where discs fall, it is found of [bounces](bounce) on a wall. Elsewhere it is
+//! found in three ways. Of three bodies on a line, [`trio`] proves it and
 //! knows the limit in closed form. Of three discs in the plane, [`planar`]
 //! proves it and bounds the limit, as soon as the bounds are close. [`alone`]
 //! proves that nothing else interferes before. Otherwise [`repetition`] recognises a word of pairs
@@ -19,6 +20,7 @@
 //! slow whole velocities, which no relative motion describes.
 
 mod alone;
+mod bounce;
 mod planar;
 mod repetition;
 mod trio;
@@ -43,6 +45,17 @@ pub struct Accumulation<S> {
     pub proven: bool,
     /// The pairs that collide in turn, for ever.
     pub word: Vec<Pair>,
+}
+
+impl<S> Accumulation<S> {
+    /// The same in other numbers.
+    pub(crate) fn map<T>(&self, make: impl Fn(&S) -> T) -> Accumulation<T> {
+        Accumulation {
+            limit: self.limit.each_ref().map(make),
+            proven: self.proven,
+            word: self.word.clone(),
+        }
+    }
 }
 
 /// How often a disc's partners must alternate before a proof is tried.
@@ -97,6 +110,17 @@ impl<S: Kernel> Watch<S> {
             found: None,
             is_over: false,
         })
+    }
+
+    /// The end of a run that stops at once.
+    pub(super) fn ended(found: Accumulation<S>) -> Self {
+        Self {
+            overlaps: false,
+            partners: Vec::new(),
+            repetition: Repetition::within(&found.limit[0]),
+            found: Some(found),
+            is_over: true,
+        }
     }
 
     /// The discs of a pair that go back and forth between two bodies.
@@ -176,6 +200,9 @@ impl<S: Timed> Timeline<S> {
     }
 
     fn find_accumulation(&self, watch: &Watch<S>, pair: Pair) -> Option<Accumulation<S>> {
+        if !S::IS_STRAIGHT {
+            return self.bounces(pair);
+        }
         let proves = !S::ROUNDS && !watch.overlaps;
         let (mut parts, mut approaches) = (false, false);
         for (middle, sides) in watch.trios(pair) {

@@ -225,6 +225,7 @@ fn adopt(meeting: Meeting<Expression>, moment: u64) -> Meeting<Exact> {
         graze: meeting.graze,
         overlap: meeting.overlap,
         inside: meeting.inside,
+        rest: meeting.rest,
         moment: meeting.overlap.then_some(moment),
     }
 }

@@ -22,7 +22,9 @@ use std::fmt::Debug;
 
 use super::flight::{Flights, Meeting};
 use crate::body::Feature;
+use crate::effects::Falling;
 use crate::kernel::Kernel;
+use crate::roots::Roots;
 use crate::scalar::{Exact, Filtered};
 use crate::symmetry::Symmetry;
 use crate::world::{Obstacle, World};
@@ -44,6 +46,10 @@ impl Timed for Filtered {
 
 impl Timed for Exact {
     type Arbiter = Algebra;
+}
+
+impl<S: Roots> Timed for Falling<S> {
+    type Arbiter = Nobody;
 }
 
 /// A meeting that has been forecast.

@@ -58,7 +58,7 @@ impl Neighbours {
     /// The bodies near to each other at the start of some flights.
     pub(super) fn new<S: Kernel>(flights: &Flights<S>, phase: BroadPhase) -> Self {
         let world = &flights.world;
-        if phase == BroadPhase::AllPairs || world.discs.len() <= FEW {
+        if phase == BroadPhase::AllPairs || world.discs.len() <= FEW || !S::IS_STRAIGHT {
             return Self::Everything;
         }
         let mut grid = Grid::new(&world.hull());

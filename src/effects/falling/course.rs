@@ -1,0 +1,95 @@
+//! The timeline of bodies that fall, told in numbers of the arithmetic itself.
+
+use super::Falling;
+use crate::arithmetic::Arithmetic;
+use crate::body::Disc;
+use crate::effects::Course;
+use crate::impact::Impact;
+use crate::kernel::Kernel;
+use crate::scalar::Scalar;
+use crate::timeline::{Accumulation, Setup, Timed, Timeline};
+use crate::vec2::Vec2;
+use crate::world::World;
+
+/// A timeline under gravity.
+#[derive(Clone, Debug)]
+struct Fallen<S>(Timeline<Falling<S>>)
+where
+    S: Scalar,
+    Falling<S>: Timed;
+
+/// The course of a world under gravity.
+///
+/// # Errors
+///
+/// It cannot be decided what the discs meet first.
+pub(crate) fn fall<S>(
+    world: World<S>,
+    gravity: &Vec2<S>,
+    until: &S,
+    setup: &Setup<'_>,
+) -> Result<Box<dyn Course<S>>, S::Doubt>
+where
+    S: Arithmetic,
+    Falling<S>: Timed<Doubt = S::Doubt>,
+{
+    let contacts = world.contacts.clone();
+    let mut world = world.rebuilt(|number| Falling(number.clone()));
+    world.contacts = contacts;
+    let gravity = gravity.map(|number| Falling(number.clone()));
+    for (disc, pull) in world.discs.iter_mut().zip(&mut world.pulls) {
+        *pull = Falling::pull(disc, Some(&gravity));
+        // They need not touch any more.
+        disc.last = None;
+    }
+    let timeline = Timeline::with_setup(world, &Falling(until.clone()), setup)?;
+    Ok(Box::new(Fallen(timeline)))
+}
+
+fn landed<S: Clone>(number: &Falling<S>) -> S {
+    number.0.clone()
+}
+
+impl<S> Course<S> for Fallen<S>
+where
+    S: Scalar,
+    Falling<S>: Timed<Doubt = S::Doubt>,
+{
+    fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
+        let impact = self.0.next_impact(&Falling(limit.clone()))?;
+        Ok(impact.map(|impact| impact.map(landed)))
+    }
+
+    fn disc_count(&self) -> usize {
+        self.0.disc_count()
+    }
+
+    fn now(&self) -> S {
+        landed(self.0.now())
+    }
+
+    fn discs_at(&self, time: &S) -> Vec<Disc<S>> {
+        let discs = self.0.discs_at(&Falling(time.clone()));
+        discs.iter().map(|disc| disc.map(landed)).collect()
+    }
+
+    fn grazes(&self) -> u64 {
+        self.0.grazes()
+    }
+
+    fn rests(&self) -> u64 {
+        self.0.rests()
+    }
+
+    fn closest_call(&self) -> Option<f64> {
+        self.0.closest_call()
+    }
+
+    fn accumulation(&self) -> Option<Accumulation<S>> {
+        self.0.accumulation().map(|found| found.map(landed))
+    }
+
+    fn duplicate(&self) -> Box<dyn Course<S>> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,21 @@
+//! Uniform gravity, in the timeline: discs of finite mass move on parabolas.
+//!
+//! Two discs that fall move straight in relation to each other, so they meet as
+//! they do without gravity. A wall's line is met at a root of a quadratic; an
+//! end point, and a body of infinite mass, at one of a quartic ([`Roots`](
+//! crate::roots)).
+//!
+//! What has collided and parts may come back. Then it is known by construction
+//! that the two touch where they start from: a root is divided out.
+
+mod arc;
+mod circle;
+mod course;
+mod kernel;
+mod number;
+mod segment;
+mod weight;
+
+pub(crate) use course::fall;
+pub use number::Falling;
+pub use weight::Weight;

@@ -1,0 +1,256 @@
+//! A disc on a parabola that meets a wall.
+//!
+//! With q the centre from the wall's first end point, u along the wall and L its
+//! length, the side h = q × u is a quadratic in time. The wall's lines are met
+//! from outside where σ h - r L falls to zero, for σ = 1 and σ = -1: at most once
+//! each, for a quadratic a t² + b t + c descends at no more than one of its roots,
+//! (-b - √D) / 2a. If then the foot of the perpendicular is between the end
+//! points, the interior is touched. The end points are met as circles are. The
+//! first of all these is the meeting: the points no further than r from a segment
+//! are convex, so that a line is crossed at the foot, and a circle beyond it,
+//! before anything else is.
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+use super::arc::Arc;
+use super::circle;
+use crate::detect::{Encounter, End, Nearest, Segment};
+use crate::roots::Roots;
+use crate::scalar::Scalar;
+use crate::vec2::Vec2;
+
+type Met<S> = Result<Option<Encounter<S>>, <S as Scalar>::Doubt>;
+
+/// What of a wall a disc touches by construction, and does not approach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Touched {
+    Nothing,
+    Interior,
+    /// An end point; the disc may have slid off there, so that it moves at a right
+    /// angle to the normal.
+    End {
+        end: End,
+        is_off: bool,
+    },
+}
+
+impl Touched {
+    /// Whether it is an end point, and the disc has slid off there.
+    fn at(self, point: End) -> Option<bool> {
+        match self {
+            Self::End { end, is_off } if end == point => Some(is_off),
+            _ => None,
+        }
+    }
+}
+
+/// When a disc, of which the way is seen from the wall's first end point, meets
+/// a wall.
+pub(super) fn meet<S: Roots>(
+    arc: &Arc<S>,
+    radius: &S,
+    wall: &Segment<S>,
+    touched: Touched,
+) -> Met<S> {
+    let way = Way::new(arc, radius, wall);
+    let mut first = None;
+    for side in [Less, Greater] {
+        let met = way.meet_line(side, touched == Touched::Interior)?;
+        first = earlier(first, met)?;
+    }
+    for end in [End::From, End::To] {
+        let met = way.meet_end(end, touched.at(end), first.as_ref())?;
+        first = earlier(first, met)?;
+    }
+    Ok(first)
+}
+
+/// The first of two meetings.
+pub(super) fn earlier<S: Scalar>(one: Option<Encounter<S>>, other: Option<Encounter<S>>) -> Met<S> {
+    Ok(match (one, other) {
+        (Some(one), Some(other)) => match other.delay.compare(&one.delay)? {
+            Less => Some(other),
+            Equal | Greater => Some(one),
+        },
+        (one, other) => one.or(other),
+    })
+}
+
+/// A disc's way, seen from a wall.
+struct Way<'a, S> {
+    arc: &'a Arc<S>,
+    radius: &'a S,
+    wall: &'a Segment<S>,
+    /// The coefficients of the side, the constant first.
+    side: [S; 3],
+}
+
+/// The distance from a line on one of its sides, less the radius, all times the
+/// wall's length: a t² + b t + c.
+pub(super) struct Gap<S> {
+    pub(super) a: S,
+    pub(super) b: S,
+    pub(super) c: S,
+}
+
+impl<'a, S: Roots> Way<'a, S> {
+    fn new(arc: &'a Arc<S>, radius: &'a S, wall: &'a Segment<S>) -> Self {
+        let across = |vector: &Vec2<S>| vector.cross(&wall.along);
+        Self {
+            side: arc.powers().map(across),
+            arc,
+            radius,
+            wall,
+        }
+    }
+
+    fn gap(&self, side: Ordering) -> Gap<S> {
+        let [c, b, a] = self.side.clone().map(|number| match side {
+            Less => -number,
+            Equal | Greater => number,
+        });
+        let reach = self.radius.clone() * &self.wall.length;
+        Gap { a, b, c: c - reach }
+    }
+
+    /// When the disc, coming from one side, touches the interior.
+    fn meet_line(&self, side: Ordering, is_touched: bool) -> Met<S> {
+        let gap = self.gap(side);
+        let is_touched = is_touched && self.side[0].sign()? == side;
+        let state = if is_touched { Equal } else { gap.c.sign()? };
+        let met = match state {
+            Greater => gap.descent()?,
+            Equal => gap.descent_from_contact()?,
+            Less => self.descent_from_within(&gap, side)?,
+        };
+        let Some(met) = met else { return Ok(None) };
+        if is_touched && met.overlap {
+            return Ok(Some(met));
+        }
+        Ok(match self.wall.nearest(&self.arc.at(&met.delay))? {
+            Nearest::Foot(end) => Some(Encounter { end, ..met }),
+            Nearest::Beyond(_) => None,
+        })
+    }
+
+    /// When a disc comes back that is nearer to the line than its radius, or on
+    /// the other side. If it overlaps the wall, that is now, unless it parts.
+    fn descent_from_within(&self, gap: &Gap<S>, side: Ordering) -> Met<S> {
+        let is_here = self.side[0].sign()? == side
+            && matches!(self.wall.nearest(&self.arc.offset)?, Nearest::Foot(_));
+        if is_here && gap.b.sign()? == Less {
+            return Ok(Some(Encounter::inside()));
+        }
+        let back = gap.descent_after_ascent()?;
+        if is_here && back.is_none() {
+            return gap.descent_from_contact();
+        }
+        Ok(back)
+    }
+
+    /// When the disc touches an end point, if that may be before something else.
+    fn meet_end(&self, end: End, touched: Option<bool>, other: Option<&Encounter<S>>) -> Met<S> {
+        let point = self.wall.end(end).minus(&self.wall.from);
+        let arc = self.arc.seen_from(&point);
+        let is_later = other.is_some_and(|other| self.is_surely_apart(&arc, &other.delay));
+        let met = match touched {
+            Some(true) => circle::leave(&arc)?,
+            Some(false) => circle::meet_again(&arc)?,
+            None if is_later || self.overlaps_beside(&arc, end)? => None,
+            None => circle::meet(&arc, self.radius)?,
+        };
+        Ok(met.map(|met| met.at(end)))
+    }
+
+    /// Whether the disc overlaps the end point, but the interior is nearer.
+    fn overlaps_beside(&self, arc: &Arc<S>, end: End) -> Result<bool, S::Doubt> {
+        let gap = S::power(&arc.offset.x, &arc.offset.y, self.radius);
+        if matches!(gap.sign(), Ok(Greater)) {
+            return Ok(false);
+        }
+        let nearest = self.wall.nearest(&self.arc.offset)?;
+        Ok(!matches!(nearest, Nearest::Beyond(beyond) if beyond == end))
+    }
+
+    /// Whether it is certain that the disc does not get to a point before some
+    /// time: |d| > r + |v| t + |h| t².
+    fn is_surely_apart(&self, arc: &Arc<S>, time: &S) -> bool {
+        let length = |vector: &Vec2<S>| {
+            let [x, y] = [vector.x.hull(), vector.y.hull()];
+            (x.square() + y.square()).sqrt()
+        };
+        let time = time.hull();
+        let way = length(&arc.velocity) * time + length(&arc.half_pull) * time.square();
+        length(&arc.offset).lo() > (self.radius.hull() + way).hi()
+    }
+}
+
+impl<S: Scalar> Gap<S> {
+    /// When what is above zero comes to zero.
+    fn descent(&self) -> Met<S> {
+        let bends = self.a.sign()?;
+        if bends != Less && self.b.sign()? != Less {
+            return Ok(None);
+        }
+        let discriminant = self.discriminant();
+        match discriminant.sign()? {
+            Less => return Ok(None),
+            Equal => return Ok(Some(Encounter::graze(self.turn()))),
+            Greater => {}
+        }
+        let root = discriminant.sqrt();
+        Ok(Some(Encounter::impact(if self.b.to_f64() > 0.0 {
+            self.late_root(root)
+        } else {
+            S::from_integer(2) * &self.c / (root - &self.b)
+        })))
+    }
+
+    /// When what is at zero, and does not fall, comes back to zero.
+    pub(super) fn descent_from_contact(&self) -> Met<S> {
+        let (speed, bends) = (self.b.sign()?, self.a.sign()?);
+        Ok(match (speed, bends) {
+            (Less, _) => Some(Encounter::now()),
+            (Equal, Less) => Some(Encounter::rest()),
+            (Greater, Less) => Some(Encounter::impact(self.b.clone() / -self.a.clone())),
+            (_, Equal | Greater) => None,
+        })
+    }
+
+    /// When what is below zero comes down to zero, from above.
+    fn descent_after_ascent(&self) -> Met<S> {
+        if self.a.sign()? != Less || self.b.sign()? != Greater {
+            return Ok(None);
+        }
+        let discriminant = self.discriminant();
+        Ok(match discriminant.sign()? {
+            Greater => Some(Encounter::impact(self.late_root(discriminant.sqrt()))),
+            Less | Equal => None,
+        })
+    }
+
+    /// When what is not below zero gets there.
+    pub(super) fn fall(&self) -> Met<S> {
+        let met = match self.c.sign()? {
+            Greater => self.descent()?,
+            Less | Equal => self.descent_from_contact()?,
+        };
+        Ok(met.filter(|met| !met.graze))
+    }
+
+    /// b² - 4 a c.
+    fn discriminant(&self) -> S {
+        let four = S::from_integer(4) * &self.a;
+        S::difference_of_products(&self.b, &self.b, &four, &self.c)
+    }
+
+    /// When it is least, or greatest.
+    fn turn(&self) -> S {
+        -self.b.clone() / (S::from_integer(2) * &self.a)
+    }
+
+    /// The later root of a quadratic that bends down.
+    fn late_root(&self, root: S) -> S {
+        (root + &self.b) / (S::from_integer(-2) * &self.a)
+    }
+}

@@ -1,0 +1,137 @@
+//! What pulls a disc, and what holds it.
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+use super::Falling;
+use crate::body::{Disc, Wall};
+use crate::detect::Segment;
+use crate::kernel::Pull;
+use crate::roots::Roots;
+use crate::scalar::Scalar;
+use crate::vec2::Vec2;
+
+/// What pulls a disc, and what holds it.
+#[derive(Clone, Debug)]
+pub struct Weight<S> {
+    /// Its acceleration.
+    pub(super) acting: Vec2<S>,
+    /// The acceleration if nothing holds it.
+    gravity: Vec2<S>,
+    state: State,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    /// A body of infinite mass does not fall.
+    Fixed,
+    Free,
+    /// Held by a wall, or in the groove of two.
+    Held(usize, Option<usize>),
+    /// Free since it has slid off at the end of a wall.
+    Off,
+}
+
+impl<S: Scalar> Weight<S> {
+    pub(super) fn on(disc: &Disc<S>, gravity: Option<&Vec2<S>>) -> Self {
+        let state = if disc.is_movable() {
+            State::Free
+        } else {
+            State::Fixed
+        };
+        let gravity = gravity.filter(|_| state == State::Free);
+        let gravity = gravity.cloned().unwrap_or_default();
+        Self {
+            acting: gravity.clone(),
+            gravity,
+            state,
+        }
+    }
+
+    /// Whether nothing but gravity acts.
+    pub(super) fn is_free(&self) -> bool {
+        matches!(self.state, State::Free | State::Off)
+    }
+
+    /// Whether the disc moves at a right angle to the normal of the corner that
+    /// it has parted from.
+    pub(super) fn is_off(&self) -> bool {
+        self.state == State::Off
+    }
+}
+
+/// Which way a vector points, seen from a wall: away from it on the side of a
+/// disc, or towards it.
+fn away<S: Scalar>(
+    vector: &Vec2<S>,
+    disc: &Disc<S>,
+    wall: &Segment<S>,
+) -> Result<Ordering, S::Doubt> {
+    let side = disc.position.minus(&wall.from).cross(&wall.along).sign()?;
+    let across = vector.cross(&wall.along).sign()?;
+    Ok(if side == Less {
+        across.reverse()
+    } else {
+        across
+    })
+}
+
+fn along<S: Scalar>(vector: &Vec2<S>, wall: &Segment<S>) -> Vec2<S> {
+    let part = vector.dot(&wall.along) / &wall.length_squared;
+    wall.along.scaled(&part)
+}
+
+impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
+    fn is_held(&self) -> bool {
+        matches!(self.state, State::Held(..))
+    }
+
+    fn is_held_by(&self, wall: usize) -> bool {
+        matches!(self.state, State::Held(one, other) if one == wall || other == Some(wall))
+    }
+
+    fn rest_on(
+        &mut self,
+        disc: &mut Disc<Falling<S>>,
+        wall: usize,
+        walls: &[Wall<Falling<S>>],
+    ) -> Result<(), S::Doubt> {
+        let segment = &walls[wall].segment;
+        if away(&self.gravity, disc, segment)? == Greater {
+            return Ok(());
+        }
+        disc.velocity = along(&disc.velocity, segment);
+        self.acting = along(&self.gravity, segment);
+        let before = std::mem::replace(&mut self.state, State::Held(wall, None));
+        if let State::Held(other, None) = before
+            && away(&self.acting, disc, &walls[other].segment)? == Less
+        {
+            disc.velocity = Vec2::zero();
+            self.acting = Vec2::zero();
+            self.state = State::Held(wall, Some(other));
+        }
+        Ok(())
+    }
+
+    fn let_go(&mut self) {
+        if self.state != State::Fixed {
+            self.acting = self.gravity.clone();
+            self.state = State::Free;
+        }
+    }
+
+    fn slide_off(
+        &mut self,
+        disc: &Disc<Falling<S>>,
+        corner: &Vec2<Falling<S>>,
+    ) -> Result<bool, S::Doubt> {
+        self.let_go();
+        self.state = State::Off;
+        let offset = disc.position.minus(corner);
+        let bend = disc.velocity.norm_squared() + offset.dot(&self.gravity);
+        let drift = disc.velocity.dot(&self.gravity);
+        Ok(match (bend.sign()?, drift.sign()?) {
+            (Less, _) | (Equal, Less) => false,
+            (Greater, _) | (Equal, Equal | Greater) => true,
+        })
+    }
+}

@@ -1,0 +1,139 @@
+//! The exponential function and the logarithm, in proven bounds.
+//!
+//! Both are summed up in fixed point, with n digits in base two after the point.
+//! Every operation rounds down, or is off by less than two units of the last
+//! place; the bounds count these. All functions are monotone, so that the bounds
+//! of an argument give those of the result.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::{Exact, Scalar};
+
+/// Bits beyond those that are asked for.
+const GUARD: u32 = 64;
+
+/// The argument of the exponential series is below 2^-this.
+const SMALL: u32 = 16;
+
+/// Fixed-point numbers with so many bits after the point.
+#[derive(Clone, Copy, Debug)]
+struct Fixed(u32);
+
+impl Fixed {
+    fn one(self) -> BigInt {
+        BigInt::one() << self.0
+    }
+
+    /// Rounded down.
+    fn of(self, number: &BigRational) -> BigInt {
+        (number.numer() << self.0) / number.denom()
+    }
+
+    fn product(self, one: &BigInt, other: &BigInt) -> BigInt {
+        (one * other) >> self.0
+    }
+
+    fn bounds(self, number: &BigInt, error: u64) -> [BigRational; 2] {
+        [number - error, number + error].map(|end| BigRational::new(end, self.one()))
+    }
+
+    /// The sum of z^(2i+1) / (2i+1), for |z| ≤ 1/3: off by less than four units
+    /// a term.
+    fn inverse_tanh(self, z: &BigInt) -> (BigInt, u64) {
+        let squared = self.product(z, z);
+        let (mut power, mut sum, mut terms) = (z.clone(), z.clone(), 1_u64);
+        while !power.is_zero() && power != BigInt::from(-1) {
+            power = self.product(&power, &squared);
+            sum += &power / (2 * terms + 1);
+            terms += 1;
+        }
+        (sum, 4 * terms)
+    }
+}
+
+/// Bounds of e^-x for x ≥ 0, no further apart than 2^-bits.
+fn exp_minus(x: &BigRational, bits: u32) -> [BigRational; 2] {
+    let whole = x.ceil().to_integer().bits() as u32;
+    if whole > 40 {
+        return [BigRational::zero(), small(bits)];
+    }
+    let halvings = whole + SMALL;
+    let fixed = Fixed(bits + GUARD + 2 * halvings);
+    let argument = fixed.of(x) >> halvings;
+    let (mut term, mut sum, mut terms) = (fixed.one(), fixed.one(), 0_u64);
+    while !term.is_zero() && term != BigInt::from(-1) {
+        terms += 1;
+        term = -fixed.product(&term, &argument) / terms;
+        sum += &term;
+    }
+    // The argument, the terms, and what follows the last one.
+    let mut error = 3 * terms + 4;
+    for _ in 0..halvings {
+        sum = fixed.product(&sum, &sum);
+        error = 2 * error + 2;
+    }
+    fixed.bounds(&sum, error)
+}
+
+fn small(bits: u32) -> BigRational {
+    BigRational::new(BigInt::one(), BigInt::one() << bits)
+}
+
+/// Bounds of the natural logarithm of a positive number, no further apart than
+/// about 2^-bits.
+fn ln(x: &BigRational, bits: u32) -> [BigRational; 2] {
+    let exponent = x.numer().bits() as i64 - x.denom().bits() as i64;
+    let fixed = Fixed(bits + GUARD + 2 * exponent.unsigned_abs().max(1).ilog2());
+    let scale = |shift: i64| BigRational::from_integer(BigInt::one() << shift);
+    let middle = if exponent < 0 {
+        x * scale(-exponent)
+    } else {
+        x / scale(exponent)
+    };
+    // It is between 1/2 and 2.
+    let one = BigRational::one();
+    let z = fixed.of(&((&middle - &one) / (middle + one)));
+    let third = fixed.of(&BigRational::new(BigInt::one(), 3.into()));
+    let (part, error) = fixed.inverse_tanh(&z);
+    let (ln_two, other_error) = fixed.inverse_tanh(&third);
+    let sum: BigInt = (part + ln_two * exponent) * 2;
+    let error = 2 * (error + 2 + (other_error + 2) * exponent.unsigned_abs());
+    fixed.bounds(&sum, error)
+}
+
+impl Exact {
+    /// 1 - e^-x, for x ≥ 0. It is less than 1.
+    pub(crate) fn decay(&self) -> Self {
+        let bits = self.precision();
+        let Some((lo, hi)) = self.enclosure() else {
+            return self.clone();
+        };
+        let one = BigRational::one();
+        let [_, most] = exp_minus(&lo.max(BigRational::zero()), bits);
+        let [least, _] = exp_minus(&hi, bits);
+        Self::between(
+            [
+                one.clone() - most.min(one.clone()),
+                one - least.max(BigRational::zero()),
+            ],
+            bits,
+        )
+    }
+
+    /// -ln (1 - x), for x between 0 and 1.
+    pub(crate) fn undecay(&self) -> Self {
+        let bits = self.precision();
+        let Some((lo, hi)) = self.enclosure() else {
+            return self.clone();
+        };
+        let one = BigRational::one();
+        if lo.is_zero() && hi.is_zero() || hi >= one {
+            return self.clone();
+        }
+        let [_, least] = ln(&(one.clone() - lo), bits).map(|bound| -bound);
+        let [most, _] = ln(&(one - hi), bits).map(|bound| -bound);
+        Self::between([least, most], bits)
+    }
+}
