@@ -9,9 +9,13 @@ mod chains;
 mod clusters;
 #[path = "closed_forms/discs.rs"]
 mod discs;
+#[path = "closed_forms/drag.rs"]
+mod drag;
 #[cfg(feature = "json")]
 #[path = "closed_forms/figures.rs"]
 mod figures;
+#[path = "closed_forms/gravity.rs"]
+mod gravity;
 #[path = "closed_forms/grazes.rs"]
 mod grazes;
 #[path = "closed_forms/losses.rs"]

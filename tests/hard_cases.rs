@@ -13,19 +13,9 @@ use carom::run::{Options, Outcome, Status, run};
 use carom::scalar::{Exact, Number, Scalar};
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
-use carom::support::Unsupported;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use serde_json::Value;
-
-/// The cases that ask for effects which are not simulated yet.
-const UNSUPPORTED: [&str; 5] = [
-    "bounce-elastic-gravity",
-    "drag-wall",
-    "gravity-pair",
-    "resting-contact",
-    "zeno-rational",
-];
 
 fn load(name: &str) -> (Scene, Value) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/hard/{name}.json"));
@@ -226,7 +216,7 @@ fn check_frame_impact(name: &str, impact: &Impact<Exact>, expected: &Value, fram
 fn the_timeline_gives_the_certified_answers() {
     for name in names() {
         let (_, case) = load(&name);
-        if !UNSUPPORTED.contains(&name.as_str()) && !case["timeline"].is_null() {
+        if !case["timeline"].is_null() {
             check_timeline(&name);
         }
     }
@@ -249,16 +239,5 @@ fn the_frame_algorithms_give_the_answers_of_the_readings() {
                 }
             }
         }
-    }
-}
-
-#[test]
-fn effects_that_are_not_simulated_are_refused() {
-    for name in UNSUPPORTED {
-        let (scene, _) = load(name);
-        let options = Options::default();
-        let watch = &mut |_| ControlFlow::Continue(());
-        let refused = run::<Exact>(&scene, Algorithm::Timeline, &options, watch).unwrap_err();
-        assert!(matches!(refused, Unsupported::Effect { .. }), "{name}");
     }
 }

@@ -18,6 +18,7 @@ use super::{Timeline, Watch};
 use crate::body::Feature;
 use crate::kernel::{Pull, Time};
 use crate::respond::Restitution;
+use crate::world::Obstacle;
 
 impl<S: Timed> Timeline<S> {
     /// Follows a disc that comes to rest on what it is forecast to meet, or gets
@@ -48,7 +49,11 @@ impl<S: Timed> Timeline<S> {
     fn has_settled(&mut self, disc: usize, feature: Feature) -> Result<bool, S::Doubt> {
         match feature {
             Feature::Wall(wall) => {
-                self.rests += 1;
+                let known = self
+                    .flights
+                    .world
+                    .contact(disc, Obstacle::Wall(wall as usize));
+                self.rests += u64::from(known.is_none());
                 self.hold(disc, wall as usize).map(|()| true)
             }
             Feature::Corner(corner) if self.flights.world.pulls[disc].is_held() => {

@@ -21,7 +21,10 @@ fn what_is_no_scene_or_not_simulated() {
     );
     let table = [
         ("no scene", "line 1"),
-        (heavy.as_str(), "effects.gravity: not simulated"),
+        (
+            heavy.as_str(),
+            "effects.gravity: not available where runs are checked",
+        ),
     ];
     for (content, expected) in table {
         let name = scratch.write("bad.json", content);

@@ -94,9 +94,11 @@ fn numbers_beyond_binary64_need_exact_arithmetic() {
 }
 
 #[test]
-fn effects_that_are_not_simulated_are_refused() {
-    let message = refusal(one_disc(DISC, r#""effects": {"gravity": [0, -1]},"#));
-    assert_eq!(message, "effects.gravity: not simulated by this version");
+fn effects_that_do_not_go_together_are_refused() {
+    let both = r#""effects": {"gravity": [0, -1], "drag": {"linear": 1}},"#;
+    let message = refusal(one_disc(DISC, both));
+    let expected = "effects.drag: not available by the timeline together with gravity";
+    assert_eq!(message, expected);
 }
 
 #[test]

@@ -171,7 +171,7 @@ fn assert_near(found: f64, expected: &BigRational, place: &str) {
 
 /// What an arithmetic says of a scene, unless it refuses it.
 fn judge<S: Arithmetic>(scene: &Scene) -> Said {
-    if check_support::<S>(scene).is_err() {
+    if check_support::<S>(scene, Algorithm::Timeline).is_err() {
         return Said {
             verdict: String::from("refused"),
             times: Vec::new(),

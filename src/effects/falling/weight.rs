@@ -75,9 +75,10 @@ fn away<S: Scalar>(
     })
 }
 
+/// The part of a vector along a wall: all of it, if it is exactly so.
 fn along<S: Scalar>(vector: &Vec2<S>, wall: &Segment<S>) -> Vec2<S> {
-    let part = vector.dot(&wall.along) / &wall.length_squared;
-    wall.along.scaled(&part)
+    let across = vector.cross(&wall.along) / &wall.length_squared;
+    vector.moved(&wall.along.perpendicular(), &across)
 }
 
 impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {

@@ -201,7 +201,9 @@ impl<S: Timed> Timeline<S> {
 
     fn find_accumulation(&self, watch: &Watch<S>, pair: Pair) -> Option<Accumulation<S>> {
         if !S::IS_STRAIGHT {
-            return self.bounces(pair);
+            let repeated = || watch.repetition.accumulation();
+            let several = |found: &Accumulation<S>| found.word.iter().any(|one| *one != pair);
+            return self.bounces(pair).or_else(|| repeated().filter(several));
         }
         let proves = !S::ROUNDS && !watch.overlaps;
         let (mut parts, mut approaches) = (false, false);

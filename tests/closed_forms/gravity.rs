@@ -1,0 +1,216 @@
+//! Discs that fall. Unless a test says otherwise, gravity is (0, -2), so that a
+//! disc falls by t².
+
+use carom::run::{Options, Outcome, Status};
+use carom::scalar::{Exact, Scalar};
+use carom::scene::{Disc, Restitution, Scene, SceneBuilder};
+use carom::simulation::Algorithm;
+use num_rational::BigRational;
+
+use crate::common::agree::{assert_encloses, assert_end, assert_log, assert_surd};
+use crate::common::{attempt, exactly, in_binary64, lasting, name, names, numbers, ratio};
+
+fn falling(duration: &str) -> SceneBuilder {
+    lasting(duration).gravity([0, -2])
+}
+
+fn newton(coefficient: &str) -> Restitution {
+    Restitution::newton(coefficient.parse().unwrap())
+}
+
+fn built(scene: SceneBuilder) -> Scene {
+    scene.build().unwrap()
+}
+
+fn times(outcome: &Outcome<f64>) -> Vec<f64> {
+    outcome.impacts.iter().map(|impact| impact.time).collect()
+}
+
+/// It falls by 1 in 1, comes up as high in 1 again, and so on.
+#[test]
+fn an_elastic_ball_bounces_at_odd_times() {
+    let scene = built(
+        falling("6")
+            .disc(Disc::at([0, 2], 1).velocity([1, 0]))
+            .wall([-8, 0], [8, 0]),
+    );
+    let outcome = exactly(&scene);
+    assert_log(&outcome, &[("1", "d0 w0"), ("3", "d0 w0"), ("5", "d0 w0")]);
+    assert_end(&outcome, &[["6", "2", "1", "0"]]);
+    assert_eq!(times(&in_binary64(&scene)), [1.0, 3.0, 5.0]);
+}
+
+/// With e = 1/2 a flight takes half as long as the one before: 1, then 1 + 1/2 +
+/// 1/4 …, which is 3 altogether.
+#[test]
+fn a_lossy_ball_comes_to_rest_at_three() {
+    let scene = built(
+        falling("9")
+            .disc(Disc::at([0, 2], 1))
+            .wall([-8, 0], [8, 0])
+            .restitution(newton("1/2")),
+    );
+    let outcome: Outcome<Exact> = attempt(&scene, Algorithm::Timeline, &Options::default());
+    for (n, impact) in (1..).zip(&outcome.impacts) {
+        let missing = BigRational::new(4.into(), num_bigint::BigInt::from(1) << n);
+        assert_eq!(impact.time.enclosure().unwrap().0, ratio("3") - missing);
+    }
+    let Status::Accumulation(found) = &outcome.status else {
+        panic!("{:?}", outcome.status);
+    };
+    assert!(found.proven);
+    assert_eq!(found.limit, [ratio("3"), ratio("3")]);
+    let rounded: Outcome<f64> = attempt(&scene, Algorithm::Timeline, &Options::default());
+    let Status::Accumulation(found) = &rounded.status else {
+        panic!("{:?}", rounded.status);
+    };
+    assert!(!found.proven);
+    assert_eq!(found.limit_to_f64(), 3.0);
+}
+
+/// Relative to each other two falling discs do not: 4 - √3 is left at speed 1
+/// when the second is 1 higher.
+#[test]
+fn two_discs_fall_alike() {
+    let scene = built(
+        lasting("6")
+            .gravity([3, -7])
+            .disc(Disc::at([0, 0], 1).velocity([1, 0]))
+            .disc(Disc::at([5, 1], 1)),
+    );
+    let outcome = exactly(&scene);
+    assert_eq!(names(&outcome.impacts), ["d0 d1"]);
+    assert_surd(&outcome.impacts[0].time, ["5", "-1"], "3");
+}
+
+/// It touches at a height of √3 over the fixed disc, having fallen 4 - √3:
+/// t² = 4 - √3, so (4 - t²)² = 3.
+#[test]
+fn onto_a_fixed_disc() {
+    let scene = built(
+        falling("2")
+            .disc(Disc::at([1, 4], 1))
+            .disc(Disc::at([0, 0], 1).infinite_mass()),
+    );
+    let outcome = exactly(&scene);
+    assert_eq!(name(&outcome.impacts[0]), "d0 d1");
+    let fallen = Exact::from_integer(4) - outcome.impacts[0].time.square();
+    assert_surd(&fallen, ["0", "1"], "3");
+    let time = in_binary64(&scene).impacts[0].time;
+    assert!((time - (4.0 - 3_f64.sqrt()).sqrt()).abs() < 1e-15);
+}
+
+/// The end point is 3/5 aside: a disc of radius 1 touches it from 4/5 above,
+/// having fallen 1 - 4/5 + 4/5 = 1.
+#[test]
+fn onto_the_end_of_a_wall() {
+    let scene = built(
+        falling("3/2")
+            .disc(Disc::at(["-3/5", "9/5"], 1))
+            .wall([0, 0], [5, 0]),
+    );
+    let outcome = exactly(&scene);
+    assert_eq!(names(&outcome.impacts), ["d0 w0 from"]);
+    assert_encloses(&outcome.impacts[0].time, "1");
+}
+
+/// It rises by 1 in 1, to where it touches the ceiling with no speed, and is
+/// back on the floor at 2.
+#[test]
+fn an_apex_that_grazes() {
+    let scene = built(
+        falling("5/2")
+            .disc(Disc::at([0, 1], 1).velocity([0, 2]))
+            .wall([-8, 3], [8, 3])
+            .wall([-8, 0], [8, 0]),
+    );
+    let outcome = exactly(&scene);
+    assert_log(&outcome, &[("2", "d0 w1")]);
+    assert_eq!(outcome.grazes, 1);
+}
+
+/// A little faster, it hits the ceiling: 5/2 t - t² = 1 at 1/2, where its speed
+/// is 3/2, and falls back: 1 = 3/2 τ + τ² after another 1/2.
+#[test]
+fn a_ceiling_in_the_way() {
+    let scene = built(
+        falling("5/4")
+            .disc(Disc::at([0, 1], 1).velocity(["0", "5/2"]))
+            .wall([-8, 3], [8, 3])
+            .wall([-8, 0], [8, 0]),
+    );
+    assert_log(&exactly(&scene), &[("1/2", "d0 w0"), ("1", "d0 w1")]);
+}
+
+/// x = t - 3 and y = 1 + 6 t - t²: it rises past the end (0, 8) of the wall, which
+/// it would touch from below at y = 7, where x = -√3, and from the side within
+/// 1. It turns at 3, at (0, 10), and comes down on the wall, at y = 9, at 4.
+#[test]
+fn around_the_end_of_a_wall() {
+    let scene = falling("5")
+        .disc(Disc::at([-3, 1], 1).velocity([1, 6]))
+        .wall([0, 8], [9, 8]);
+    assert_log(&exactly(&built(scene)), &[("4", "d0 w0")]);
+}
+
+/// Down the incline, along (4, -3)/5, it is pulled with 6/5: 3/5 t². The second
+/// wall stands across, 25 down, so that the disc stops at 20, with nowhere to go.
+#[test]
+fn down_an_incline_into_a_groove() {
+    let scene = falling("9")
+        .disc(Disc::at([3, 4], 5))
+        .wall([-40, 30], [40, -30])
+        .wall([20, -15], [26, -7])
+        .restitution(newton("0"));
+    let outcome = exactly(&built(scene));
+    assert_eq!(names(&outcome.impacts), ["d0 w1"]);
+    assert_surd(&outcome.impacts[0].time, ["0", "1"], "100/3");
+    assert_eq!(outcome.rests, 2);
+    let [x, y, vx, vy] = numbers(&outcome.end[0]);
+    for (number, expected) in [(x, "19"), (y, "-8"), (vx, "0"), (vy, "0")] {
+        assert_encloses(&number, expected);
+    }
+}
+
+/// On a floor it slides at 3 for 2, flies off the end, 4 above the ground, and
+/// lands after another 2.
+#[test]
+fn off_a_table() {
+    let scene = built(
+        falling("9/2")
+            .disc(Disc::at([-6, 5], 1).velocity([3, 0]))
+            .wall([-20, 4], [0, 4])
+            .wall([-20, 0], [20, 0])
+            .restitution(newton("0")),
+    );
+    let outcome = exactly(&scene);
+    assert_log(&outcome, &[("4", "d0 w1")]);
+    assert_eq!(outcome.rests, 2);
+    assert_end(&outcome, &[["15/2", "1", "3", "0"]]);
+}
+
+/// At a speed of 1 it does not fly off, for 1² < g r = 2: it falls around the
+/// end, of which nothing is known.
+#[test]
+fn around_the_edge_of_a_table() {
+    let scene = built(
+        falling("9")
+            .disc(Disc::at([-6, 5], 1).velocity([1, 0]))
+            .wall([-20, 4], [0, 4])
+            .restitution(newton("0")),
+    );
+    let outcome: Outcome<Exact> = attempt(&scene, Algorithm::Timeline, &Options::default());
+    assert!(matches!(outcome.status, Status::Accumulation(_)));
+    assert_eq!(outcome.time.enclosure().unwrap().0, ratio("6"));
+}
+
+/// Of height 4 - t² over a piston at height t, it is hit at 1, at a speed of 3
+/// relative to it: back after τ² = 3 τ.
+#[test]
+fn a_piston_does_not_fall() {
+    let scene = falling("5")
+        .disc(Disc::at([0, 4], 1))
+        .disc(Disc::at([0, 0], 1).velocity([0, 1]).infinite_mass());
+    let expected = [("1", "d0 d1"), ("4", "d0 d1")];
+    assert_log(&exactly(&built(scene)), &expected);
+}
