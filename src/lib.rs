@@ -27,6 +27,7 @@ pub mod kernel;
 pub mod log;
 pub mod paper;
 pub mod respond;
+pub mod roots;
 pub mod run;
 pub mod scalar;
 pub mod scene;
