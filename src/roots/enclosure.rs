@@ -161,7 +161,7 @@ impl Place for Dyadic {
     fn beyond(&self, from: &Self, upwards: bool) -> Self {
         let width = match self.clone().sub(from) {
             none if none.is_zero() => Place::power_of_two(self.top() - TINY),
-            width if (width.sign() == Greater) == upwards => width,
+            width if width.sign() == Greater => width,
             width => -width,
         };
         let beyond = if upwards {

@@ -103,22 +103,31 @@ impl Algebraic {
     /// coefficient of the polynomial as one with whole coefficients (Gauss).
     fn rational(&self) -> Option<BigRational> {
         let whole = Whole::of(&self.f);
-        let leading = Dyadic::new(whole.leading(), 0);
-        // Enough for the numerator to be enclosed by less than one half.
-        let bits = (self.span.high.top() + leading.top() + 2).max(0);
-        if bits > Exact::RATIONAL_BITS as i64 {
+        let leading = whole.leading();
+        if leading.bits() > Exact::RATIONAL_BITS {
             return None;
         }
-        let sharper = self.sharpened(bits as u32 + FIRST_BITS);
-        let numerator = Place::middle(&sharper.span.low, &sharper.span.high).mul(&leading);
-        let half = Dyadic::from(1).halved();
-        let mut nearest = numerator.add(&half);
-        nearest.floor_at(0);
-        let ratio = BigRational::new(integer(&nearest), whole.leading());
-        whole
-            .is_zero_at(&ratio)
-            .then_some(ratio)
-            .filter(|ratio| sharper.may_be(ratio))
+        let ratio = BigRational::new(
+            self.nearest_multiple(&leading),
+            leading.magnitude().clone().into(),
+        );
+        let is_zero = whole.is_zero_at(&ratio) && self.may_be(&ratio);
+        is_zero.then_some(ratio)
+    }
+
+    /// The only whole number that the zero times a whole number may be.
+    fn nearest_multiple(&self, factor: &BigInt) -> BigInt {
+        let factor = Dyadic::new(factor.magnitude().clone().into(), 0);
+        let one = Dyadic::from(1);
+        let mut bits = FIRST_BITS;
+        loop {
+            let span = self.sharpened(bits).span;
+            let [low, high] = [&span.low, &span.high].map(|end| end.mul(&factor));
+            if high.clone().sub(&low).compare(&one).is_lt() {
+                return floor(high);
+            }
+            bits *= 2;
+        }
     }
 
     /// Whether a number is within the span.
@@ -127,8 +136,9 @@ impl Algebraic {
     }
 }
 
-/// A whole number.
-fn integer(number: &Dyadic) -> BigInt {
+/// The largest whole number that is not above a number.
+fn floor(mut number: Dyadic) -> BigInt {
+    number.floor_at(0);
     number.mantissa() << number.exponent().max(0)
 }
 
