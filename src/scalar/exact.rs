@@ -122,6 +122,17 @@ impl Exact {
         Self { value, bits, form }
     }
 
+    /// A dyadic number; one longer than [`RATIONAL_BITS`](Self::RATIONAL_BITS) is
+    /// enclosed.
+    pub(crate) fn from_dyadic(number: Dyadic, bits: u32) -> Self {
+        Self::plain(Value::from_dyadic(number, bits), bits)
+    }
+
+    /// The numbers at most so far from a midpoint.
+    pub(crate) fn around(middle: Dyadic, error: Radius, bits: u32) -> Self {
+        Self::plain(Value::Ball(Ball::around(middle, error)), bits)
+    }
+
     /// The number about a midpoint that a form tells of.
     pub(super) fn with_form(middle: Dyadic, form: Form, bits: u32) -> Self {
         let (ball, form) = form.around(middle);
@@ -146,12 +157,23 @@ impl Exact {
         }
     }
 
+    /// Bounds, unless nothing is known.
+    pub(crate) fn ends(&self) -> Option<[Dyadic; 2]> {
+        let ball = self.to_ball();
+        let error = ball.view().radius();
+        if error.is_unknown() {
+            return None;
+        }
+        let (middle, error) = (ball.into_middle(), error.to_dyadic());
+        Some([middle.clone().sub(&error), middle.add(&error)])
+    }
+
     pub(super) fn to_ball(&self) -> Ball {
         self.value.to_ball(self.bits)
     }
 
     /// The same number; what comes from it is computed with so many bits.
-    pub(super) fn with_bits(self, bits: u32) -> Self {
+    pub(crate) fn with_bits(self, bits: u32) -> Self {
         Self { bits, ..self }
     }
 

@@ -49,7 +49,7 @@ impl Interval {
 
     /// A single number, which must be finite.
     #[inline]
-    pub(super) fn point(number: f64) -> Self {
+    pub(crate) fn point(number: f64) -> Self {
         Self::new(number, number)
     }
 

@@ -1,0 +1,223 @@
+//! Real algebraic numbers of degree 4 or less, of which everything is decidable.
+//!
+//! A number is a simple zero of a polynomial with dyadic coefficients, the only
+//! one in a span, plus an offset. Enclosures decide most questions; what they
+//! leave open may be an equality, which a common divisor of two polynomials
+//! proves or rules out (Cohen, A Course in Computational Algebraic Number Theory,
+//! 4.2; Yap, Fundamental Problems of Algorithmic Algebra, 6). Where it is ruled
+//! out, narrower enclosures are certain to decide.
+
+mod order;
+mod round;
+#[cfg(test)]
+mod tests;
+
+use std::cmp::Ordering::{self, Equal};
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use super::chain::{first_crossing, sharpen, spans};
+use super::enclosure::{Enclosure, Place};
+use super::span::{Kind, Span};
+use super::whole::Whole;
+use super::{Descent, Polynomial, Zero, first_descent};
+use crate::scalar::{Dyadic, Exact, Interval, Rounding};
+
+/// A zero of a polynomial, plus an offset.
+#[derive(Clone, Debug)]
+pub(crate) struct Algebraic {
+    f: Polynomial<Dyadic>,
+    /// Where f has one zero, which is simple and above 0.
+    span: Span<Dyadic>,
+    offset: Dyadic,
+    /// Those to which the zero has been enclosed.
+    bits: u32,
+}
+
+/// The bits of an enclosure in whole numbers at first.
+const FIRST_BITS: u32 = 128;
+
+impl Algebraic {
+    /// The first descent of a polynomial, as in [`Roots`](super::Roots).
+    pub(crate) fn first_descent(f: &Polynomial<Dyadic>, grazes: usize) -> Option<Descent<Self>> {
+        if let Ok(crossing) = first_crossing(&f.map(hull)) {
+            return crossing.map(|span| Descent {
+                time: Self::new(f.clone(), places(&span)),
+                graze: false,
+            });
+        }
+        let simple = Whole::of(f).square_free().to_dyadic();
+        let Descent { time, graze } = first_descent(signed(f, isolated(&simple)), grazes)?;
+        let time = Self::new(simple, time);
+        Some(Descent { time, graze })
+    }
+
+    fn new(f: Polynomial<Dyadic>, span: Span<Dyadic>) -> Self {
+        Self {
+            f,
+            span,
+            offset: Dyadic::zero(),
+            bits: 0,
+        }
+    }
+
+    /// The number, greater by another one.
+    pub(crate) fn translated(&self, by: &Dyadic) -> Self {
+        Self {
+            offset: self.offset.clone().add(by).normalised(),
+            ..self.clone()
+        }
+    }
+
+    /// Binary64 bounds.
+    pub(crate) fn hull(&self) -> Interval {
+        let [low, high] = self.ends();
+        Interval::new(low.to_f64(Rounding::Down), high.to_f64(Rounding::Up))
+    }
+
+    fn ends(&self) -> [Dyadic; 2] {
+        [&self.span.low, &self.span.high].map(|end| end.clone().add(&self.offset))
+    }
+
+    /// The number with its zero enclosed to about so many bits.
+    fn sharpened(&self, bits: u32) -> Self {
+        let mut sharper = self.clone();
+        if sharper.bits < bits {
+            sharper.bits = bits;
+            sharpen(&mut sharper.span, &enclosed(&self.f, bits));
+        }
+        sharper
+    }
+
+    /// The number itself if it is rational, or else an enclosure.
+    pub(super) fn to_exact(&self, bits: u32) -> Exact {
+        if let Some(ratio) = self.rational() {
+            return Exact::from_rational(ratio + self.offset.to_rational(), bits);
+        }
+        let [low, high] = self.sharpened(bits).ends();
+        Exact::between(&low, &high).with_bits(bits)
+    }
+
+    /// The zero, if it is rational: a whole number divided by the leading
+    /// coefficient of the polynomial as one with whole coefficients (Gauss).
+    fn rational(&self) -> Option<BigRational> {
+        let whole = Whole::of(&self.f);
+        let leading = whole.leading();
+        if leading.bits() > Exact::RATIONAL_BITS {
+            return None;
+        }
+        let ratio = BigRational::new(
+            self.nearest_multiple(&leading),
+            leading.magnitude().clone().into(),
+        );
+        let is_zero = whole.is_zero_at(&ratio) && self.may_be(&ratio);
+        is_zero.then_some(ratio)
+    }
+
+    /// The only whole number that the zero times a whole number may be.
+    fn nearest_multiple(&self, factor: &BigInt) -> BigInt {
+        let factor = Dyadic::new(factor.magnitude().clone().into(), 0);
+        let one = Dyadic::from(1);
+        let mut bits = FIRST_BITS;
+        loop {
+            let span = self.sharpened(bits).span;
+            let [low, high] = [&span.low, &span.high].map(|end| end.mul(&factor));
+            if high.clone().sub(&low).compare(&one).is_lt() {
+                return floor(high);
+            }
+            bits *= 2;
+        }
+    }
+
+    /// Whether a number is within the span.
+    fn may_be(&self, ratio: &BigRational) -> bool {
+        self.span.low.to_rational() <= *ratio && *ratio <= self.span.high.to_rational()
+    }
+}
+
+/// The largest whole number that is not above a number.
+fn floor(mut number: Dyadic) -> BigInt {
+    number.floor_at(0);
+    number.mantissa() << number.exponent().max(0)
+}
+
+/// The nearest binary64 bounds of a number.
+fn hull(number: &Dyadic) -> Interval {
+    Interval::new(number.to_f64(Rounding::Down), number.to_f64(Rounding::Up))
+}
+
+/// A polynomial whose zeros are enclosed with so many bits.
+fn enclosed(f: &Polynomial<Dyadic>, bits: u32) -> Polynomial<Exact> {
+    f.map(|a| Exact::from_dyadic(a.clone(), bits))
+}
+
+fn places(span: &Span<f64>) -> Span<Dyadic> {
+    Span {
+        low: Dyadic::from_f64(span.low),
+        high: Dyadic::from_f64(span.high),
+        before: span.before,
+        after: span.after,
+        kind: span.kind,
+    }
+}
+
+/// All zeros above 0 of a polynomial that has simple ones alone.
+fn isolated(f: &Polynomial<Dyadic>) -> Vec<Span<Dyadic>> {
+    let mut bits = FIRST_BITS;
+    loop {
+        let spans = spans(&enclosed(f, bits)).unwrap_or_else(|_| vec![unknown()]);
+        if spans.iter().all(|span| span.kind == Kind::Simple) {
+            return spans;
+        }
+        bits *= 2;
+    }
+}
+
+/// All numbers.
+fn unknown() -> Span<Dyadic> {
+    Span::open(Dyadic::zero(), Dyadic::zero())
+}
+
+/// The zeros of f, with its signs around them.
+fn signed(f: &Polynomial<Dyadic>, spans: Vec<Span<Dyadic>>) -> Vec<Zero<Span<Dyadic>>> {
+    let first = f.0.iter().map(Dyadic::sign).find(|sign| *sign != Equal);
+    let last = f.0.iter().map(Dyadic::sign).rfind(|sign| *sign != Equal);
+    let gaps = spans
+        .windows(2)
+        .map(|pair| Place::middle(&pair[0].high, &pair[1].low));
+    let inner: Vec<Ordering> = gaps
+        .map(|place: Dyadic| f.exactly_at(&place).sign())
+        .collect();
+    let before = first.into_iter().chain(inner.clone());
+    let after = inner.iter().copied().chain(last);
+    let signs = before.zip(after);
+    let zero = |(place, (before, after))| Zero {
+        place,
+        before,
+        after,
+    };
+    spans.into_iter().zip(signs).map(zero).collect()
+}
+
+impl Polynomial<Dyadic> {
+    /// The value at some t.
+    pub(crate) fn exactly_at(&self, t: &Dyadic) -> Dyadic {
+        let step = |value: Dyadic, a: &Dyadic| value.mul(t).add(a);
+        self.0.iter().rev().fold(Dyadic::zero(), step)
+    }
+
+    /// The polynomial that is at t what this one is at t + `by`.
+    pub(crate) fn shifted(&self, by: &Dyadic) -> Self {
+        let mut coefficients = self.0.clone();
+        if !by.is_zero() {
+            for round in 0..4 {
+                for power in (round..4).rev() {
+                    let carried = coefficients[power + 1].mul(by);
+                    coefficients[power] = coefficients[power].clone().add(&carried).normalised();
+                }
+            }
+        }
+        Self(coefficients)
+    }
+}

@@ -1,0 +1,221 @@
+//! Zeros in binary64: always an answer, by the signs that are computed.
+//!
+//! Values are computed by Horner's rule with the rounding errors carried along
+//! (Graillat, Langlois, Louvet: Compensated Horner scheme, 2005), as if in twice
+//! the digits, with coefficients scaled by powers of two so that nothing
+//! overflows, and nothing vanishes that matters. With u = 2^-53 the sign is wrong
+//! only where |f(t)| is below some 100 u² Σ |aᵢ| tⁱ: call f *faint* there.
+//!
+//! The result is the last bit of a change of sign: within one ulp of it, f is
+//! zero or faint. A dip below zero is missed, and one that is none is seen, only
+//! where f is faint at its deepest; a graze is one where f is computed as exactly
+//! zero. So a zero is as close to the true one as faintness allows, for simple
+//! ones usually within an ulp. No tolerance decides anything.
+//!
+//! Zeros that are not normal numbers are not found.
+
+use std::cmp::Ordering::{self, Equal};
+use std::convert::Infallible;
+
+use super::{Descent, Polynomial, Roots, Zero, first_descent};
+
+impl Roots for f64 {
+    fn descent(f: &Polynomial<Self>, grazes: usize) -> Result<Option<Descent<Self>>, Infallible> {
+        Ok(first_descent(zeros(f), grazes))
+    }
+}
+
+/// All zeros above 0, in order.
+fn zeros(f: &Polynomial<f64>) -> Vec<Zero<f64>> {
+    match f.powers() {
+        Some((lowest, highest)) if lowest < highest => {
+            let slopes = zeros(&f.derivative());
+            let signs = [lowest, highest].map(|power| order(f.0[power]));
+            between(&Scaled::new(f), signs, &slopes)
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The zeros of a polynomial with such signs at the ends, given those of its
+/// derivative.
+fn between(f: &Scaled, [first, last]: [Ordering; 2], slopes: &[Zero<f64>]) -> Vec<Zero<f64>> {
+    let stops = slopes
+        .iter()
+        .map(|slope| (slope.place, f.at(slope.place).sign()));
+    let (mut start, mut before) = (f64::MIN_POSITIVE, first);
+    let (mut zeros, mut touched) = (Vec::new(), None);
+    for (stop, after) in stops.chain([(f64::MAX, last)]) {
+        if after == Equal {
+            touched = touched.or(Some(stop));
+            continue;
+        }
+        let crossed = (after != before).then(|| f.crossing([start, stop], before));
+        if let Some(place) = touched.take().or(crossed) {
+            zeros.push(Zero {
+                place,
+                before,
+                after,
+            });
+        }
+        (start, before) = (stop, after);
+    }
+    zeros
+}
+
+fn order(number: f64) -> Ordering {
+    number.partial_cmp(&0.0).unwrap_or(Equal)
+}
+
+/// A polynomial whose coefficients are numbers around 1 times powers of two.
+struct Scaled {
+    mantissas: [f64; 5],
+    exponents: [i32; 5],
+}
+
+/// What a polynomial is at some place, but for a power of two.
+struct Value {
+    head: f64,
+    tail: f64,
+    /// By the place without its power of two.
+    slope: f64,
+}
+
+/// Terms that are smaller than the largest one by this power of two, or more,
+/// make no difference.
+const NEGLIGIBLE: i32 = -900;
+
+impl Scaled {
+    fn new(f: &Polynomial<f64>) -> Self {
+        let parts = f.0.map(split);
+        Self {
+            mantissas: parts.map(|(mantissa, _)| mantissa),
+            exponents: parts.map(|(_, exponent)| exponent),
+        }
+    }
+
+    /// The coefficients for places around 2^`exponent`, times a power of two
+    /// such that the largest is around 1.
+    fn coefficients(&self, exponent: i32) -> [f64; 5] {
+        let sizes: [i32; 5] =
+            std::array::from_fn(|power| self.exponents[power] + power as i32 * exponent);
+        let counted = (0..5).filter(|&power| self.mantissas[power] != 0.0);
+        let largest = counted.map(|power| sizes[power]).max().unwrap_or(0);
+        std::array::from_fn(|power| match sizes[power] - largest {
+            // Where the mantissa is zero the size means nothing.
+            size @ NEGLIGIBLE..=0 => self.mantissas[power] * power_of_two(size),
+            _ => 0.0,
+        })
+    }
+
+    fn at(&self, place: f64) -> Value {
+        let (t, exponent) = split(place);
+        Value::of(&self.coefficients(exponent), t)
+    }
+
+    /// Where the sign changes, once, between two places, at the first of which it
+    /// is `before`.
+    fn crossing(&self, [mut low, mut high]: [f64; 2], before: Ordering) -> f64 {
+        let mut place = middle(low, high);
+        for round in 0.. {
+            let value = self.at(place);
+            match value.sign() {
+                Equal => return place,
+                sign if sign == before => low = place,
+                _ => high = place,
+            }
+            if low.next_up() >= high {
+                break;
+            }
+            place = match round % 3 {
+                2 => middle(low, high),
+                _ => value.newton(place).clamp(low.next_up(), high.next_down()),
+            };
+        }
+        self.nearer(low, high)
+    }
+
+    /// That of two neighbours where the value is smaller.
+    fn nearer(&self, low: f64, high: f64) -> f64 {
+        // The inverse is a normal number too.
+        let exponent = split(low).1.min(1022);
+        let coefficients = self.coefficients(exponent);
+        let [below, above] = [low, high].map(|place| {
+            let t = place * power_of_two(-exponent);
+            Value::of(&coefficients, t).sum().abs()
+        });
+        if below <= above { low } else { high }
+    }
+}
+
+impl Value {
+    fn of(coefficients: &[f64; 5], t: f64) -> Self {
+        let zero = Self {
+            head: 0.0,
+            tail: 0.0,
+            slope: 0.0,
+        };
+        let step = |value: Self, a: &f64| value.times_plus(t, *a);
+        coefficients.iter().rev().fold(zero, step)
+    }
+
+    /// A step of Horner's rule, for the value and for the slope.
+    #[inline]
+    fn times_plus(self, t: f64, a: f64) -> Self {
+        let product = self.head * t;
+        let lost = self.head.mul_add(t, -product);
+        let head = product + a;
+        let of_a = head - product;
+        let rest = (product - (head - of_a)) + (a - of_a);
+        Self {
+            head,
+            tail: self.tail.mul_add(t, lost + rest),
+            slope: self.slope.mul_add(t, self.head),
+        }
+    }
+
+    fn sum(&self) -> f64 {
+        self.head + self.tail
+    }
+
+    fn sign(&self) -> Ordering {
+        order(self.sum())
+    }
+
+    /// Where the tangent is zero.
+    fn newton(&self, place: f64) -> f64 {
+        let (t, exponent) = split(place);
+        let next = t - self.sum() / self.slope;
+        // A tangent that is level, or leads below zero, leads nowhere.
+        if next > 0.0 {
+            next * power_of_two(exponent)
+        } else {
+            f64::MIN_POSITIVE
+        }
+    }
+}
+
+/// Half way between two positive numbers, in the order of binary64 numbers:
+/// first by their exponents, then by their mantissas.
+fn middle(low: f64, high: f64) -> f64 {
+    f64::from_bits(low.to_bits().midpoint(high.to_bits()))
+}
+
+/// A number from 1 to 2, with its sign, and an exponent.
+fn split(number: f64) -> (f64, i32) {
+    let biased = (number.to_bits() >> 52 & 0x7ff) as i32;
+    if biased == 0 && number != 0.0 {
+        let (mantissa, exponent) = split(number * power_of_two(100));
+        return (mantissa, exponent - 100);
+    }
+    if number == 0.0 {
+        return (0.0, 0);
+    }
+    let fraction = number.to_bits() & !(0x7ff << 52);
+    (f64::from_bits(fraction | 1023 << 52), biased - 1023)
+}
+
+/// 2^`exponent`, a normal number.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
