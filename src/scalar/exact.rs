@@ -70,7 +70,7 @@ impl Exact {
     }
 
     /// A number between two bounds.
-    pub(crate) fn between([lo, hi]: [BigRational; 2], bits: u32) -> Self {
+    pub(crate) fn enclosing([lo, hi]: [BigRational; 2], bits: u32) -> Self {
         if lo == hi {
             return Self::from_rational(lo, bits);
         }

@@ -113,7 +113,7 @@ impl Exact {
         let one = BigRational::one();
         let [_, most] = exp_minus(&lo.max(BigRational::zero()), bits);
         let [least, _] = exp_minus(&hi, bits);
-        Self::between(
+        Self::enclosing(
             [
                 one.clone() - most.min(one.clone()),
                 one - least.max(BigRational::zero()),
@@ -134,6 +134,6 @@ impl Exact {
         }
         let [_, least] = ln(&(one.clone() - lo), bits).map(|bound| -bound);
         let [most, _] = ln(&(one - hi), bits).map(|bound| -bound);
-        Self::between([least, most], bits)
+        Self::enclosing([least, most], bits)
     }
 }

@@ -105,17 +105,17 @@ impl<S: Timed> Timeline<S> {
         disc: usize,
         feature: Feature,
     ) -> Result<(), S::Doubt> {
+        if let Feature::Wall(wall) = feature
+            && self.is_dead()
+        {
+            self.hold(disc, wall as usize)?;
+            self.rests += u64::from(self.flights.world.pulls[disc].is_held_by(wall as usize));
+            return Ok(());
+        }
         for disc in changed.into_iter().flatten() {
             self.flights.world.pulls[disc].let_go();
         }
-        match feature {
-            Feature::Wall(wall) if self.is_dead() => {
-                self.hold(disc, wall as usize)?;
-                self.rests += u64::from(self.flights.world.pulls[disc].is_held());
-                Ok(())
-            }
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// Whether impacts on walls take all of the normal speed.

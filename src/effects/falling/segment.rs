@@ -55,7 +55,7 @@ pub(super) fn meet<S: Roots>(
     let way = Way::new(arc, radius, wall);
     let mut first = None;
     for side in [Less, Greater] {
-        let met = way.meet_line(side, touched == Touched::Interior)?;
+        let met = way.meet_line(side, touched)?;
         first = earlier(first, met)?;
     }
     for end in [End::From, End::To] {
@@ -114,9 +114,9 @@ impl<'a, S: Roots> Way<'a, S> {
     }
 
     /// When the disc, coming from one side, touches the interior.
-    fn meet_line(&self, side: Ordering, is_touched: bool) -> Met<S> {
+    fn meet_line(&self, side: Ordering, touched: Touched) -> Met<S> {
         let gap = self.gap(side);
-        let is_touched = is_touched && self.side[0].sign()? == side;
+        let is_touched = touched == Touched::Interior && self.side[0].sign()? == side;
         let state = if is_touched { Equal } else { gap.c.sign()? };
         let met = match state {
             Greater => gap.descent()?,
@@ -124,8 +124,11 @@ impl<'a, S: Roots> Way<'a, S> {
             Less => self.descent_from_within(&gap, side)?,
         };
         let Some(met) = met else { return Ok(None) };
-        if is_touched && met.overlap {
-            return Ok(Some(met));
+        match touched {
+            Touched::Interior if is_touched && met.overlap => return Ok(Some(met)),
+            // An end point is touched, not the interior.
+            Touched::End { .. } if met.overlap => return Ok(None),
+            _ => {}
         }
         Ok(match self.wall.nearest(&self.arc.at(&met.delay))? {
             Nearest::Foot(end) => Some(Encounter { end, ..met }),

@@ -81,6 +81,29 @@ fn along<S: Scalar>(vector: &Vec2<S>, wall: &Segment<S>) -> Vec2<S> {
     vector.moved(&wall.along.perpendicular(), &across)
 }
 
+impl<S: Roots> Weight<Falling<S>> {
+    /// Notes that a disc that a wall holds was held by another one up to now. If
+    /// they are at a right angle it is stopped; at rest, and pulled towards both,
+    /// it stays where it is.
+    fn rest_between(
+        &mut self,
+        disc: &mut Disc<Falling<S>>,
+        [wall, other]: [usize; 2],
+        walls: &[Wall<Falling<S>>],
+    ) -> Result<(), S::Doubt> {
+        let [new, old] = [wall, other].map(|wall| &walls[wall].segment);
+        if new.along.dot(&old.along).is_surely_zero() {
+            disc.velocity = Vec2::zero();
+        }
+        let rests = disc.velocity.x.is_surely_zero() && disc.velocity.y.is_surely_zero();
+        if rests && away(&self.acting, disc, old)? == Less {
+            self.acting = Vec2::zero();
+            self.state = State::Held(wall, Some(other));
+        }
+        Ok(())
+    }
+}
+
 impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
     fn is_held(&self) -> bool {
         matches!(self.state, State::Held(..))
@@ -98,19 +121,16 @@ impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
     ) -> Result<(), S::Doubt> {
         let segment = &walls[wall].segment;
         if away(&self.gravity, disc, segment)? == Greater {
+            self.let_go();
             return Ok(());
         }
         disc.velocity = along(&disc.velocity, segment);
         self.acting = along(&self.gravity, segment);
         let before = std::mem::replace(&mut self.state, State::Held(wall, None));
-        if let State::Held(other, None) = before
-            && away(&self.acting, disc, &walls[other].segment)? == Less
-        {
-            disc.velocity = Vec2::zero();
-            self.acting = Vec2::zero();
-            self.state = State::Held(wall, Some(other));
+        match before {
+            State::Held(other, None) => self.rest_between(disc, [wall, other], walls),
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     fn let_go(&mut self) {
