@@ -37,15 +37,13 @@ fn zeros(f: &Polynomial<f64>) -> Vec<Zero<f64>> {
     }
 }
 
-/// The zeros of a polynomial with such signs at the ends, given those of its
-/// derivative.
+/// The zeros of a polynomial, given those of its derivative.
 fn between(f: &Scaled, [first, last]: [Ordering; 2], slopes: &[Zero<f64>]) -> Vec<Zero<f64>> {
-    let stops = slopes
-        .iter()
-        .map(|slope| (slope.place, f.at(slope.place).sign()));
-    let (mut start, mut before) = (f64::MIN_POSITIVE, first);
+    let stop = |slope: &Zero<f64>| (slope.place, f.sign(slope.place));
+    let [start, end] = f.bounds();
+    let (mut start, mut before) = (start, first);
     let (mut zeros, mut touched) = (Vec::new(), None);
-    for (stop, after) in stops.chain([(f64::MAX, last)]) {
+    for (stop, after) in slopes.iter().map(stop).chain([(end, last)]) {
         if after == Equal {
             touched = touched.or(Some(stop));
             continue;
@@ -73,17 +71,25 @@ struct Scaled {
     exponents: [i32; 5],
 }
 
-/// What a polynomial is at some place, but for a power of two.
+/// A polynomial of `t = place / 2^exponent`, but for a power of two.
+struct View {
+    coefficients: [f64; 5],
+    exponent: i32,
+}
+
+/// The value of a polynomial, in two words, and its slope.
 struct Value {
     head: f64,
     tail: f64,
-    /// By the place without its power of two.
     slope: f64,
 }
 
 /// Terms that are smaller than the largest one by this power of two, or more,
 /// make no difference.
 const NEGLIGIBLE: i32 = -900;
+
+/// So many powers of two around its own a view serves for.
+const REACH: i32 = 40;
 
 impl Scaled {
     fn new(f: &Polynomial<f64>) -> Self {
@@ -94,31 +100,60 @@ impl Scaled {
         }
     }
 
-    /// The coefficients for places around 2^`exponent`, times a power of two
-    /// such that the largest is around 1.
-    fn coefficients(&self, exponent: i32) -> [f64; 5] {
+    /// The powers whose coefficients are not zero.
+    fn powers(&self) -> impl DoubleEndedIterator<Item = usize> {
+        (0..5).filter(|&power| self.mantissas[power] != 0.0)
+    }
+
+    /// Normal numbers between which there are all zeros that are such, by
+    /// Fujiwara's bound.
+    fn bounds(&self) -> [f64; 2] {
+        let exponent = |own: usize| {
+            let others = self.powers().filter(|&other| other != own);
+            let root = |other: usize| {
+                let size = self.exponents[other] + 1 - self.exponents[own];
+                size.div_euclid(other.abs_diff(own) as i32) + 3
+            };
+            others.map(root).max().unwrap_or_default()
+        };
+        let ends = [self.powers().next(), self.powers().next_back()];
+        let [low, high] = ends.map(|power| power.map_or(0, exponent));
+        [-low, high].map(|exponent| power_of_two(exponent.clamp(-1022, 1023)))
+    }
+
+    /// The polynomial around a place, scaled such that its largest term there is
+    /// around 1.
+    fn view(&self, place: f64) -> View {
+        // The inverse of the power of two has to be a normal number too.
+        let exponent = split(place).1.min(1022);
         let sizes: [i32; 5] =
             std::array::from_fn(|power| self.exponents[power] + power as i32 * exponent);
-        let counted = (0..5).filter(|&power| self.mantissas[power] != 0.0);
-        let largest = counted.map(|power| sizes[power]).max().unwrap_or(0);
-        std::array::from_fn(|power| match sizes[power] - largest {
+        let largest = self.powers().map(|power| sizes[power]).max().unwrap_or(0);
+        let coefficients = std::array::from_fn(|power| match sizes[power] - largest {
             // Where the mantissa is zero the size means nothing.
             size @ NEGLIGIBLE..=0 => self.mantissas[power] * power_of_two(size),
             _ => 0.0,
-        })
+        });
+        View {
+            coefficients,
+            exponent,
+        }
     }
 
-    fn at(&self, place: f64) -> Value {
-        let (t, exponent) = split(place);
-        Value::of(&self.coefficients(exponent), t)
+    fn sign(&self, place: f64) -> Ordering {
+        self.view(place).at(place).sign()
     }
 
     /// Where the sign changes, once, between two places, at the first of which it
-    /// is `before`.
+    /// is `before`: by Newton's method, and every few rounds by halves.
     fn crossing(&self, [mut low, mut high]: [f64; 2], before: Ordering) -> f64 {
         let mut place = middle(low, high);
-        for round in 0.. {
-            let value = self.at(place);
+        let mut view = self.view(place);
+        for round in 1.. {
+            if !view.serves(place) {
+                view = self.view(place);
+            }
+            let value = view.at(place);
             match value.sign() {
                 Equal => return place,
                 sign if sign == before => low = place,
@@ -127,37 +162,48 @@ impl Scaled {
             if low.next_up() >= high {
                 break;
             }
-            place = match round % 3 {
-                2 => middle(low, high),
-                _ => value.newton(place).clamp(low.next_up(), high.next_down()),
+            place = match round % 4 {
+                0 => middle(low, high),
+                _ => advised(view.newton(place, &value), place, [low, high]),
             };
         }
-        self.nearer(low, high)
+        self.view(low).nearer(low, high)
+    }
+}
+
+impl View {
+    fn serves(&self, place: f64) -> bool {
+        (split(place).1 - self.exponent).abs() < REACH
+    }
+
+    fn t(&self, place: f64) -> f64 {
+        place * power_of_two(-self.exponent)
+    }
+
+    fn at(&self, place: f64) -> Value {
+        let (t, zero) = (self.t(place), Value::ZERO);
+        let terms = self.coefficients.iter().rev();
+        terms.fold(zero, |value, a| value.times_plus(t, *a))
+    }
+
+    /// Where the tangent is zero.
+    fn newton(&self, place: f64, value: &Value) -> f64 {
+        (self.t(place) - value.sum() / value.slope) * power_of_two(self.exponent)
     }
 
     /// That of two neighbours where the value is smaller.
     fn nearer(&self, low: f64, high: f64) -> f64 {
-        // The inverse is a normal number too.
-        let exponent = split(low).1.min(1022);
-        let coefficients = self.coefficients(exponent);
-        let [below, above] = [low, high].map(|place| {
-            let t = place * power_of_two(-exponent);
-            Value::of(&coefficients, t).sum().abs()
-        });
+        let [below, above] = [low, high].map(|place| self.at(place).sum().abs());
         if below <= above { low } else { high }
     }
 }
 
 impl Value {
-    fn of(coefficients: &[f64; 5], t: f64) -> Self {
-        let zero = Self {
-            head: 0.0,
-            tail: 0.0,
-            slope: 0.0,
-        };
-        let step = |value: Self, a: &f64| value.times_plus(t, *a);
-        coefficients.iter().rev().fold(zero, step)
-    }
+    const ZERO: Self = Self {
+        head: 0.0,
+        tail: 0.0,
+        slope: 0.0,
+    };
 
     /// A step of Horner's rule, for the value and for the slope.
     #[inline]
@@ -181,17 +227,19 @@ impl Value {
     fn sign(&self) -> Ordering {
         order(self.sum())
     }
+}
 
-    /// Where the tangent is zero.
-    fn newton(&self, place: f64) -> f64 {
-        let (t, exponent) = split(place);
-        let next = t - self.sum() / self.slope;
-        // A tangent that is level, or leads below zero, leads nowhere.
-        if next > 0.0 {
-            next * power_of_two(exponent)
-        } else {
-            f64::MIN_POSITIVE
-        }
+/// Where to look next: where Newton's method says; once it stays where it is,
+/// beside; and half way if it leads astray.
+fn advised(next: f64, place: f64, [low, high]: [f64; 2]) -> f64 {
+    if low < next && next < high {
+        next
+    } else if (next - place).abs() > 4.0 * f64::EPSILON * place || next.is_nan() {
+        middle(low, high)
+    } else if place == low {
+        low.next_up()
+    } else {
+        high.next_down()
     }
 }
 
@@ -201,15 +249,15 @@ fn middle(low: f64, high: f64) -> f64 {
     f64::from_bits(low.to_bits().midpoint(high.to_bits()))
 }
 
-/// A number from 1 to 2, with its sign, and an exponent.
+/// A number from 1 to 2, with its sign, and an exponent; or zero.
 fn split(number: f64) -> (f64, i32) {
-    let biased = (number.to_bits() >> 52 & 0x7ff) as i32;
-    if biased == 0 && number != 0.0 {
-        let (mantissa, exponent) = split(number * power_of_two(100));
-        return (mantissa, exponent - 100);
-    }
     if number == 0.0 {
         return (0.0, 0);
+    }
+    let biased = (number.to_bits() >> 52 & 0x7ff) as i32;
+    if biased == 0 {
+        let (mantissa, exponent) = split(number * power_of_two(100));
+        return (mantissa, exponent - 100);
     }
     let fraction = number.to_bits() & !(0x7ff << 52);
     (f64::from_bits(fraction | 1023 << 52), biased - 1023)

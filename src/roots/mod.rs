@@ -17,13 +17,14 @@
 //! | [`Exact`](crate::scalar::Exact), all coefficients rational | rational, or enclosed | decided, always |
 //! | [`Exact`](crate::scalar::Exact) otherwise | enclosed | left open |
 //!
-//! [`algebraic`] keeps such a zero as a number of which everything is decidable.
+//! The module `algebraic` keeps such a zero as a number of which everything is
+//! decidable.
 
 pub(crate) mod algebraic;
 mod binary64;
 mod chain;
 mod enclosure;
-mod exact;
+mod proven;
 mod span;
 #[cfg(test)]
 mod tests;

@@ -51,6 +51,17 @@ impl<P: Place> Span<P> {
         }
     }
 
+    /// The same between places of another kind.
+    pub(super) fn map<Q>(&self, change: impl Fn(&P) -> Q) -> Span<Q> {
+        Span {
+            low: change(&self.low),
+            high: change(&self.high),
+            before: self.before,
+            after: self.after,
+            kind: self.kind,
+        }
+    }
+
     /// The zero between two parts that are clear, or clear beside them.
     pub(super) fn between(left: &Self, right: &Self) -> Option<Self> {
         let (before, after) = (left.after, right.before);

@@ -167,3 +167,72 @@ fn residue(number: &BigInt) -> u64 {
         _ => magnitude,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn whole(coefficients: &[i64]) -> Whole {
+        Whole::primitive(coefficients.iter().copied().map(BigInt::from).collect())
+    }
+
+    fn product(a: &Whole, b: &Whole) -> Whole {
+        let mut sum = vec![BigInt::ZERO; a.0.len() + b.0.len()];
+        for (i, x) in a.0.iter().enumerate() {
+            for (j, y) in b.0.iter().enumerate() {
+                sum[i + j] += x * y;
+            }
+        }
+        Whole::primitive(sum)
+    }
+
+    /// But for the sign.
+    fn are_equal(a: &Whole, b: &Whole) -> bool {
+        *a == *b || *a == Whole(b.0.iter().map(|x| -x).collect())
+    }
+
+    fn shifted(prime: bool) -> Whole {
+        let leading = if prime { PRIME as i64 } else { 1 };
+        whole(&[3, -1, leading])
+    }
+
+    #[test]
+    fn common_divisors() {
+        // 2 t + 3, t² + 1 and t - 5, and one whose leading coefficient is the prime.
+        let [a, b, c] = [whole(&[3, 2]), whole(&[1, 0, 1]), whole(&[-5, 1])];
+        assert!(are_equal(&product(&a, &b).common(&product(&a, &c)), &a));
+        assert!(product(&a, &a).common(&product(&b, &c)).is_constant());
+        assert!(are_equal(
+            &product(&a, &product(&b, &a)).square_free(),
+            &product(&a, &b)
+        ));
+        assert!(are_equal(&product(&b, &b).square_free(), &b));
+        for prime in [false, true] {
+            let d = shifted(prime);
+            assert!(are_equal(&product(&d, &a).common(&product(&d, &c)), &d));
+            assert!(product(&d, &a).common(&c).is_constant());
+        }
+        assert!(are_equal(&a.common(&whole(&[])), &a));
+    }
+
+    proptest! {
+        /// The common divisor of products with one factor the same is a multiple
+        /// of it, and divides both.
+        #[test]
+        fn common_factors_divide(
+            [a, b, c] in prop::array::uniform3(prop::array::uniform3(-9..9_i64)),
+        ) {
+            let [a, b, c] = [a, b, c].map(|f| whole(&f));
+            prop_assume!([&a, &b, &c].iter().all(|f| !f.0.is_empty()));
+            let (f, g) = (product(&a, &b), product(&a, &c));
+            let common = f.common(&g);
+            let divides = |divisor: &Whole, f: &Whole| {
+                Whole::primitive(divided(f.0.clone(), &divisor.0).1).0.is_empty()
+            };
+            prop_assert!(divides(&common, &f) && divides(&common, &g) && divides(&a, &common));
+            prop_assert!(divides(&f.square_free(), &f));
+        }
+    }
+}

@@ -7,7 +7,9 @@
 //! 4.2; Yap, Fundamental Problems of Algorithmic Algebra, 6). Where it is ruled
 //! out, narrower enclosures are certain to decide.
 
+#[cfg_attr(not(test), expect(dead_code, reason = "for kernels to come"))]
 mod order;
+#[cfg_attr(not(test), expect(dead_code, reason = "for kernels to come"))]
 mod round;
 #[cfg(test)]
 mod tests;
@@ -43,7 +45,7 @@ impl Algebraic {
     pub(crate) fn first_descent(f: &Polynomial<Dyadic>, grazes: usize) -> Option<Descent<Self>> {
         if let Ok(crossing) = first_crossing(&f.map(hull)) {
             return crossing.map(|span| Descent {
-                time: Self::new(f.clone(), places(&span)),
+                time: Self::new(f.clone(), span.map(|place| Dyadic::from_f64(*place))),
                 graze: false,
             });
         }
@@ -62,67 +64,48 @@ impl Algebraic {
         }
     }
 
-    /// The number, greater by another one.
-    pub(crate) fn translated(&self, by: &Dyadic) -> Self {
-        Self {
-            offset: self.offset.clone().add(by).normalised(),
-            ..self.clone()
-        }
-    }
-
-    /// Binary64 bounds.
-    pub(crate) fn hull(&self) -> Interval {
-        let [low, high] = self.ends();
-        Interval::new(low.to_f64(Rounding::Down), high.to_f64(Rounding::Up))
-    }
-
     fn ends(&self) -> [Dyadic; 2] {
         [&self.span.low, &self.span.high].map(|end| end.clone().add(&self.offset))
     }
 
-    /// The number with its zero enclosed to about so many bits.
-    fn sharpened(&self, bits: u32) -> Self {
-        let mut sharper = self.clone();
-        if sharper.bits < bits {
-            sharper.bits = bits;
-            sharpen(&mut sharper.span, &enclosed(&self.f, bits));
+    /// Encloses the zero to about so many bits.
+    fn sharpen(&mut self, bits: u32) {
+        if self.bits < bits {
+            self.bits = bits;
+            sharpen(&mut self.span, &enclosed(&self.f, bits));
         }
-        sharper
     }
 
     /// The number itself if it is rational, or else an enclosure.
-    pub(super) fn to_exact(&self, bits: u32) -> Exact {
+    pub(super) fn to_exact(mut self, bits: u32) -> Exact {
         if let Some(ratio) = self.rational() {
             return Exact::from_rational(ratio + self.offset.to_rational(), bits);
         }
-        let [low, high] = self.sharpened(bits).ends();
-        Exact::between(&low, &high).with_bits(bits)
+        self.sharpen(bits);
+        let [low, high] = self.ends();
+        Exact::between(&low, &high)
     }
 
     /// The zero, if it is rational: a whole number divided by the leading
     /// coefficient of the polynomial as one with whole coefficients (Gauss).
-    fn rational(&self) -> Option<BigRational> {
+    fn rational(&mut self) -> Option<BigRational> {
         let whole = Whole::of(&self.f);
-        let leading = whole.leading();
+        let leading = BigInt::from(whole.leading().magnitude().clone());
         if leading.bits() > Exact::RATIONAL_BITS {
             return None;
         }
-        let ratio = BigRational::new(
-            self.nearest_multiple(&leading),
-            leading.magnitude().clone().into(),
-        );
-        let is_zero = whole.is_zero_at(&ratio) && self.may_be(&ratio);
+        let ratio = BigRational::new(self.nearest_multiple(&leading), leading);
+        let is_zero = self.may_be(&ratio) && whole.is_zero_at(&ratio);
         is_zero.then_some(ratio)
     }
 
-    /// The only whole number that the zero times a whole number may be.
-    fn nearest_multiple(&self, factor: &BigInt) -> BigInt {
-        let factor = Dyadic::new(factor.magnitude().clone().into(), 0);
-        let one = Dyadic::from(1);
+    /// The only whole number that the zero times a positive one may be.
+    fn nearest_multiple(&mut self, factor: &BigInt) -> BigInt {
+        let (factor, one) = (Dyadic::new(factor.clone(), 0), Dyadic::from(1));
         let mut bits = FIRST_BITS;
         loop {
-            let span = self.sharpened(bits).span;
-            let [low, high] = [&span.low, &span.high].map(|end| end.mul(&factor));
+            self.sharpen(bits);
+            let [low, high] = [&self.span.low, &self.span.high].map(|end| end.mul(&factor));
             if high.clone().sub(&low).compare(&one).is_lt() {
                 return floor(high);
             }
@@ -150,16 +133,6 @@ fn hull(number: &Dyadic) -> Interval {
 /// A polynomial whose zeros are enclosed with so many bits.
 fn enclosed(f: &Polynomial<Dyadic>, bits: u32) -> Polynomial<Exact> {
     f.map(|a| Exact::from_dyadic(a.clone(), bits))
-}
-
-fn places(span: &Span<f64>) -> Span<Dyadic> {
-    Span {
-        low: Dyadic::from_f64(span.low),
-        high: Dyadic::from_f64(span.high),
-        before: span.before,
-        after: span.after,
-        kind: span.kind,
-    }
 }
 
 /// All zeros above 0 of a polynomial that has simple ones alone.
@@ -205,19 +178,5 @@ impl Polynomial<Dyadic> {
     pub(crate) fn exactly_at(&self, t: &Dyadic) -> Dyadic {
         let step = |value: Dyadic, a: &Dyadic| value.mul(t).add(a);
         self.0.iter().rev().fold(Dyadic::zero(), step)
-    }
-
-    /// The polynomial that is at t what this one is at t + `by`.
-    pub(crate) fn shifted(&self, by: &Dyadic) -> Self {
-        let mut coefficients = self.0.clone();
-        if !by.is_zero() {
-            for round in 0..4 {
-                for power in (round..4).rev() {
-                    let carried = coefficients[power + 1].mul(by);
-                    coefficients[power] = coefficients[power].clone().add(&carried).normalised();
-                }
-            }
-        }
-        Self(coefficients)
     }
 }

@@ -6,9 +6,17 @@ use super::super::chain::sign_over;
 use super::super::whole::Whole;
 use super::{Algebraic, FIRST_BITS, enclosed, hull};
 use crate::roots::Polynomial;
-use crate::scalar::{Dyadic, Scalar};
+use crate::scalar::{Dyadic, Interval, Scalar};
 
 impl Algebraic {
+    /// The number, greater by another one.
+    pub(crate) fn translated(&self, by: &Dyadic) -> Self {
+        Self {
+            offset: self.offset.clone().add(by).normalised(),
+            ..self.clone()
+        }
+    }
+
     /// The order against a dyadic number: the zero is beyond a place in its span
     /// where f is still of the sign that it has before.
     pub(crate) fn order_to(&self, number: &Dyadic) -> Ordering {
@@ -53,14 +61,13 @@ impl Algebraic {
     /// By binary64 bounds.
     fn sign_roughly(&self, polynomial: &Polynomial<Dyadic>) -> Option<Ordering> {
         let [low, high] = [&self.span.low, &self.span.high].map(hull);
-        let zero = crate::scalar::Interval::new(low.lo(), high.hi());
+        let zero = Interval::new(low.lo(), high.hi());
         polynomial.map(hull).at(&zero).sign().ok()
     }
 
     /// By enclosures, once it is ruled out that the polynomial is zero.
     fn sign_surely(&self, polynomial: &Polynomial<Dyadic>) -> Ordering {
-        let mut bits = FIRST_BITS;
-        let sharper = self.sharpened(bits);
+        let (mut sharper, mut bits) = (self.clone(), FIRST_BITS);
         if let Some(sign) = sharper.sign_to(polynomial, bits) {
             return sign;
         }
@@ -69,14 +76,15 @@ impl Algebraic {
         }
         loop {
             bits *= 2;
-            if let Some(sign) = sharper.sharpened(bits).sign_to(polynomial, bits) {
+            if let Some(sign) = sharper.sign_to(polynomial, bits) {
                 return sign;
             }
         }
     }
 
     /// By enclosures of so many bits.
-    fn sign_to(&self, polynomial: &Polynomial<Dyadic>, bits: u32) -> Option<Ordering> {
+    fn sign_to(&mut self, polynomial: &Polynomial<Dyadic>, bits: u32) -> Option<Ordering> {
+        self.sharpen(bits);
         let polynomial = enclosed(polynomial, bits);
         sign_over(&polynomial, &polynomial.derivative(), &self.span)
     }
@@ -90,5 +98,21 @@ impl Algebraic {
         let [low, high] =
             [&self.span.low, &self.span.high].map(|end| common.exactly_at(end).sign());
         low == Equal || low != high
+    }
+}
+
+impl Polynomial<Dyadic> {
+    /// The polynomial that is at t what this one is at t + `by`.
+    pub(crate) fn shifted(&self, by: &Dyadic) -> Self {
+        let mut coefficients = self.0.clone();
+        if !by.is_zero() {
+            for round in 0..4 {
+                for power in (round..4).rev() {
+                    let carried = coefficients[power + 1].mul(by);
+                    coefficients[power] = coefficients[power].clone().add(&carried).normalised();
+                }
+            }
+        }
+        Self(coefficients)
     }
 }

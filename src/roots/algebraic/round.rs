@@ -7,9 +7,15 @@ use num_bigint::BigInt;
 use super::super::chain::value_over;
 use super::{Algebraic, FIRST_BITS, enclosed};
 use crate::roots::Polynomial;
-use crate::scalar::{Dyadic, Rounding};
+use crate::scalar::{Dyadic, Interval, Rounding};
 
 impl Algebraic {
+    /// Binary64 bounds.
+    pub(crate) fn hull(&self) -> Interval {
+        let [low, high] = self.ends();
+        Interval::new(low.to_f64(Rounding::Down), high.to_f64(Rounding::Up))
+    }
+
     /// The nearest binary64, of two equally near ones the even one; an infinity
     /// beyond the largest.
     pub(crate) fn to_f64(&self) -> f64 {
@@ -26,26 +32,24 @@ impl Algebraic {
             return 0.0;
         }
         let at_zero = polynomial.shifted(&self.offset);
-        let mut bits = FIRST_BITS;
+        let (mut sharper, mut bits) = (self.clone(), FIRST_BITS);
         loop {
-            if let Some([low, high]) = self.bounds_of(&at_zero, bits) {
-                if low == high {
-                    // Not minus zero.
-                    return low + 0.0;
+            match sharper.bounds_of(&at_zero, bits) {
+                // Not minus zero.
+                Some([low, high]) if low == high => return low + 0.0,
+                Some([low, high]) if low.next_up() == high => {
+                    return sharper.nearer(polynomial, [low, high]) + 0.0;
                 }
-                if low.next_up() == high {
-                    return self.nearer(polynomial, [low, high]) + 0.0;
-                }
+                _ => bits *= 2,
             }
-            bits *= 2;
         }
     }
 
-    /// What bounds of a polynomial round to.
-    fn bounds_of(&self, polynomial: &Polynomial<Dyadic>, bits: u32) -> Option<[f64; 2]> {
+    /// What bounds of a polynomial round to, by enclosures of so many bits.
+    fn bounds_of(&mut self, polynomial: &Polynomial<Dyadic>, bits: u32) -> Option<[f64; 2]> {
+        self.sharpen(bits);
         let polynomial = enclosed(polynomial, bits);
-        let span = self.sharpened(bits).span;
-        let value = value_over(&polynomial, &polynomial.derivative(), &span);
+        let value = value_over(&polynomial, &polynomial.derivative(), &self.span);
         let ends = value.ends()?;
         Some(ends.map(|end| end.to_f64(Rounding::Nearest)))
     }

@@ -354,3 +354,91 @@ proptest! {
         }
     }
 }
+
+#[test]
+#[ignore]
+fn timing() {
+    let time = |name: &str, n: usize, f: &mut dyn FnMut(usize)| {
+        let start = std::time::Instant::now();
+        for i in 0..n {
+            f(i)
+        }
+        println!("{name}: {:?}", start.elapsed() / n as u32);
+    };
+    let gap = |d: [f64; 2], v: [f64; 2], g: [f64; 2], r: f64| -> Coefficients {
+        let q = |x: f64| BigRational::from_float(x).unwrap();
+        let half = [q(g[0]) / ratio(2, 1), q(g[1]) / ratio(2, 1)];
+        let dot = |a: &[BigRational; 2], b: &[BigRational; 2]| &a[0] * &b[0] + &a[1] * &b[1];
+        let [d, v] = [d, v].map(|x| x.map(q));
+        vec![
+            dot(&d, &d) - q(r) * q(r),
+            dot(&d, &v) * ratio(2, 1),
+            dot(&v, &v) + dot(&d, &half) * ratio(2, 1),
+            dot(&v, &half) * ratio(2, 1),
+            dot(&half, &half),
+        ]
+    };
+    let cases = [
+        ("hit", gap([0.1234, 4.321], [0.3, 0.77], [0.0, -9.81], 1.1)),
+        (
+            "miss",
+            gap([3.1234, 4.321], [-0.3, 2.77], [0.0, -9.81], 1.1),
+        ),
+        (
+            "surely none",
+            gap([3.1234, -4.321], [0.3, -2.77], [0.0, -9.81], 1.1),
+        ),
+        ("close", {
+            let mut f = product(&[
+                linear(ratio(1, 1)),
+                linear(ratio(1, 1)),
+                vec![ratio(1, 1), ratio(0, 1), ratio(1, 1)],
+            ]);
+            f[0] -= power_of_two(-200);
+            f
+        }),
+        ("double", gap([2.0, 8.0], [0.0, 0.0], [0.0, -1.0], 2.0)),
+    ];
+    for (name, f) in &cases {
+        println!("--- {name}");
+        let b = binary64(f);
+        time("f64", 100_000, &mut |_| {
+            std::hint::black_box(f64::descent(std::hint::black_box(&b), 0).unwrap());
+        });
+        let i = interval(f);
+        time("interval", 20_000, &mut |_| {
+            let _ = std::hint::black_box(Interval::descent(std::hint::black_box(&i), 0));
+        });
+        let d = dyadic(f);
+        time("algebraic", 2_000, &mut |_| {
+            std::hint::black_box(Algebraic::first_descent(std::hint::black_box(&d), 0));
+        });
+        let e = exact(f);
+        time("exact rational 256", 500, &mut |_| {
+            let _ = std::hint::black_box(Exact::descent(std::hint::black_box(&e), 0));
+        });
+        for bits in [128, 1024, 8192] {
+            let third = Exact::from_integer(3).with_bits(bits).sqrt();
+            let e = e.map(|a| third.clone() * a);
+            time(&format!("exact balls {bits}"), 500, &mut |_| {
+                let _ = std::hint::black_box(Exact::descent(std::hint::black_box(&e), 0));
+            });
+        }
+        if let Some(found) = Algebraic::first_descent(&d, 0) {
+            let t = found.time;
+            time("to_f64", 2_000, &mut |_| {
+                std::hint::black_box(t.to_f64());
+            });
+            time("order equal", 1_000, &mut |_| {
+                std::hint::black_box(t.order(&t));
+            });
+            let q = dyadic(&[ratio(1, 8), ratio(-3, 4), ratio(5, 2)]);
+            time("sign", 2_000, &mut |_| {
+                std::hint::black_box(t.sign_of(&q));
+            });
+            time("value", 2_000, &mut |_| {
+                std::hint::black_box(t.value_of(&q));
+            });
+        }
+    }
+}

@@ -96,11 +96,11 @@ pub(in crate::roots) fn descent(
         let width = ratio(1, 2).pow(bits as i32);
         while &ends[1] - &ends[0] > width {
             let [low, high] = halves(f, &ends);
-            ends = if sturm.count(&low[0], &low[1]) > 0 {
-                low
-            } else {
-                high
+            let is_low = match after {
+                true => sturm.count(&low[0], &low[1]) > 0,
+                false => !value(f, &low[1]).is_positive(),
             };
+            ends = if is_low { low } else { high };
         }
         return Some((ends, after));
     }

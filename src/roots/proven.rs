@@ -8,12 +8,13 @@ use num_traits::One;
 use super::algebraic::Algebraic;
 use super::chain::{first_crossing, sharpen};
 use super::enclosure::Enclosure;
+use super::span::Span;
 use super::{Descent, Polynomial, Roots};
 use crate::scalar::{Dyadic, Exact, Interval, Scalar, Undecided};
 
 impl Roots for Interval {
     fn descent(f: &Polynomial<Self>, _: usize) -> Result<Option<Descent<Self>>, Undecided> {
-        enclosed(f)
+        Ok(first_crossing(f)?.map(|span| enclosed(span, f)))
     }
 }
 
@@ -25,7 +26,7 @@ impl Roots for Exact {
                 time: descent.time.to_exact(bits),
                 graze: descent.graze,
             }),
-            None => enclosed(f)?,
+            None => crossing(f)?.map(|span| enclosed(span, f)),
         };
         Ok(descent.map(|Descent { time, graze }| Descent {
             time: time.with_bits(bits),
@@ -34,27 +35,29 @@ impl Roots for Exact {
     }
 }
 
-/// The first descent if it is to a simple zero; even ones, which there may be to
-/// skip, are left open.
-fn enclosed<E: Enclosure>(f: &Polynomial<E>) -> Result<Option<Descent<E>>, Undecided> {
-    let crossing = first_crossing(f)?;
-    Ok(crossing.map(|mut span| {
-        sharpen(&mut span, f);
-        Descent {
-            time: E::between(&span.low, &span.high),
-            graze: false,
-        }
-    }))
+/// The first descent to a simple zero, in binary64 where that suffices.
+fn crossing(f: &Polynomial<Exact>) -> Result<Option<Span<Dyadic>>, Undecided> {
+    match first_crossing(&f.map(Exact::hull)) {
+        Ok(crossing) => Ok(crossing.map(|span| span.map(|place| Dyadic::from_f64(*place)))),
+        Err(_) => first_crossing(f),
+    }
+}
+
+/// A descent to a simple zero. (Even ones, which there may be to skip, have been
+/// left open.)
+fn enclosed<E: Enclosure>(mut span: Span<E::Place>, f: &Polynomial<E>) -> Descent<E> {
+    sharpen(&mut span, f);
+    Descent {
+        time: E::between(&span.low, &span.high),
+        graze: false,
+    }
 }
 
 /// The same polynomial times a whole number such that its coefficients become
 /// whole, if they are known.
 fn whole(f: &Polynomial<Exact>) -> Option<Polynomial<Dyadic>> {
-    let known = f.0.iter().all(Exact::is_rational);
-    let ratios: Option<Vec<BigRational>> = known
-        .then(|| f.0.iter().map(|a| Some(a.enclosure()?.0)).collect())
-        .flatten();
-    let ratios = ratios?;
+    let known = |a: &Exact| Some(a.enclosure().filter(|_| a.is_rational())?.0);
+    let ratios: Vec<BigRational> = f.0.iter().map(known).collect::<Option<_>>()?;
     let divisor = ratios
         .iter()
         .fold(BigInt::one(), |divisor, ratio| divisor.lcm(ratio.denom()));
