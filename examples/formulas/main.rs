@@ -126,7 +126,7 @@ fn filtered(query: &Query) -> Option<f64> {
     met.map(|met| met.time.value().get())
 }
 
-/// Queries that are made, and their truths held, at a time.
+/// Queries that are made at a time.
 const BATCH: usize = 10_000;
 
 /// Makes queries of a kind, batch by batch, and judges what is found.

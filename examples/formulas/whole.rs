@@ -13,19 +13,22 @@
 //! t - (-b - √D) / a = (w + √D) / a = f(t) / (w - √D)
 //! ```
 //!
-//! As w and f(t) are whole too if t is a fraction with a power of two, and the
-//! one quotient has no cancellation where w is negative and the other where it is
-//! not, binary64 tells the *error* to some 2^-50 of itself, be it as small as it
-//! may. What does not fit into 512 bits is left to fractions.
+//! A computed time is a whole number over a power of two, so w and f(t) are exact
+//! as well. Nothing cancels in the last form where w is negative, nor in the one
+//! before where it is not: binary64 tells the *error* to some 2^-50 of itself, be
+//! it as small as it may. What does not fit into 512 bits is left to fractions.
 
 use num_traits::ToPrimitive;
 
 use crate::exact::Query;
 use crate::wide::Wide;
 
-/// Bits that a length or a velocity may have, and what a time is made of: the
-/// bits of f(t) are at most twice the sum of both, and three.
-const BITS: [i32; 2] = [126, 128];
+/// Bits that a length or a velocity may have, so that D has less than 508.
+const BITS: i32 = 126;
+
+/// Bits that the numerator and denominator of a time may have, so that f(t) has
+/// less than 511.
+const TIME_BITS: i32 = 128;
 
 /// The largest power of two that may be the unit of time, or one over it.
 const UNIT: i32 = 400;
@@ -144,8 +147,8 @@ impl Course {
         let (mantissa, power) = parts(computed);
         let shift = power - self.unit;
         let finer = u32::try_from(-shift).unwrap_or(0);
-        let m = shifted(mantissa, shift.max(0), BITS[1])?;
-        if finer > BITS[1] as u32 {
+        let m = shifted(mantissa, shift.max(0), TIME_BITS)?;
+        if finer > TIME_BITS as u32 {
             return None;
         }
         let slope = self.b << finer;
@@ -169,7 +172,7 @@ fn whole<const N: usize>(numbers: [f64; N]) -> Option<([Wide; N], i32)> {
     let unit = powers.min().unwrap_or(0);
     let mut whole = [Wide::from(0); N];
     for (whole, (mantissa, power)) in whole.iter_mut().zip(parts) {
-        *whole = shifted(mantissa, power - unit, BITS[0])?;
+        *whole = shifted(mantissa, power - unit, BITS)?;
     }
     Some((whole, unit))
 }
