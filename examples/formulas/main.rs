@@ -1,32 +1,32 @@
 //! The usual formulas for the time at which two discs meet against the stable
-//! one, all in binary64, and all against fractions.
+//! one, all in binary64, and all against whole numbers.
 //!
 //! ```text
-//! cargo run --release --example formulas [QUERIES]
+//! cargo run --release --example formulas [QUERIES [NEAR]]
 //! ```
 //!
-//! For so many queries of each kind: how many verdicts (whether the two meet)
-//! are wrong, the largest and the median error of the time where verdict and
-//! truth are a hit, in ulps, and what a query costs. The numbers of a query are
-//! taken as they are: binary64.
+//! For so many queries of each kind, or `NEAR` of those that nearly touch or
+//! nearly miss: how many verdicts (whether the two meet) are wrong; where verdict
+//! and truth are a hit, how many times are not the binary64 nearest to the true
+//! one, and the median and the largest error in ulps; and what a query costs. The
+//! numbers of a query are taken as they are: binary64.
 
 mod exact;
 mod queries;
-
-use std::hint::black_box;
-use std::time::Instant;
+mod score;
+mod whole;
+mod wide;
 
 use carom::body::{Disc, Mass};
 use carom::detect::meet_circle;
 use carom::kernel::{Approach, Flight, Kernel, Time};
 use carom::scalar::Filtered;
 use carom::vec2::Vec2;
-use exact::{Query, Truth};
-use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
-use queries::KINDS;
+use exact::Query;
+use queries::{KINDS, Kind};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use score::Table;
 
 /// A way to find the time of impact, if there is one.
 struct Formula {
@@ -126,84 +126,36 @@ fn filtered(query: &Query) -> Option<f64> {
     met.map(|met| met.time.value().get())
 }
 
-/// How a formula did.
-struct Score {
-    wrong: usize,
-    /// In ulps, sorted.
-    errors: Vec<f64>,
-    nanos: f64,
-}
+/// Queries that are made at a time.
+const BATCH: usize = 10_000;
 
-fn judge(formula: &Formula, queries: &[Query], truths: &[Truth]) -> Score {
-    let mut score = Score {
-        wrong: 0,
-        errors: Vec::new(),
-        nanos: cost(formula, queries),
+/// Makes queries of a kind, batch by batch, and judges what is found.
+fn judge(kind: &Kind, count: usize) {
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let mut batch = |left: usize| -> Vec<_> {
+        (0..left.min(BATCH))
+            .map(|_| (kind.make)(&mut random))
+            .collect()
     };
-    for (query, truth) in queries.iter().zip(truths) {
-        let time = (formula.solve)(query);
-        score.wrong += usize::from(time.is_some() != truth.time.is_some());
-        let error = time.and_then(|time| truth.ulps(time));
-        score.errors.extend(error);
+    let mut queries = batch(count);
+    let mut table = Table::new(&queries);
+    let mut left = count;
+    while !queries.is_empty() {
+        queries.iter().for_each(|query| table.add(query));
+        left -= queries.len();
+        queries = batch(left);
     }
-    score.errors.sort_by(f64::total_cmp);
-    score
-}
-
-/// The time that a query takes in the fastest of some rounds, in nanoseconds.
-fn cost(formula: &Formula, queries: &[Query]) -> f64 {
-    let rounds = (0..20).map(|_| {
-        let began = Instant::now();
-        for query in queries {
-            black_box((formula.solve)(black_box(query)));
-        }
-        began.elapsed().as_secs_f64()
-    });
-    rounds.fold(f64::INFINITY, f64::min) * 1e9 / queries.len() as f64
-}
-
-impl Score {
-    fn print(&self, formula: &Formula, count: usize) {
-        let wrong = 100.0 * self.wrong as f64 / count as f64;
-        let worst = self.errors.last().copied().unwrap_or_default();
-        let (name, nanos, median) = (formula.name, self.nanos, median(&self.errors));
-        println!("  {name:14} {wrong:8.2} {median:9.2e} {worst:9.2e} {nanos:6.1}");
-    }
-}
-
-/// The middle one of sorted numbers.
-fn median(sorted: &[f64]) -> f64 {
-    sorted.get(sorted.len() / 2).copied().unwrap_or_default()
-}
-
-/// How close queries are to tangency or to contact: half of them are closer than
-/// this power of two.
-fn closeness(truths: &[Truth], measure: fn(&Truth) -> &BigRational) -> f64 {
-    let sizes = truths.iter().map(|truth| measure(truth).abs().to_f64());
-    let mut powers: Vec<_> = sizes.map(|size| size.unwrap_or_default().log2()).collect();
-    powers.sort_by(f64::total_cmp);
-    median(&powers)
+    table.print(kind, count);
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let count = match std::env::args().nth(1) {
-        Some(text) => text.parse()?,
-        None => 10_000,
-    };
-    println!("formula           wrong %    median     worst     ns");
+    let numbers = std::env::args().skip(1).map(|text| text.parse());
+    let numbers = numbers.collect::<Result<Vec<usize>, _>>()?;
+    let count = numbers.first().copied().unwrap_or(10_000);
+    let near = numbers.get(1).copied().unwrap_or(count);
+    println!("{}", score::HEAD);
     for kind in &KINDS {
-        let mut random = ChaCha8Rng::seed_from_u64(1);
-        let queries: Vec<_> = (0..count).map(|_| (kind.make)(&mut random)).collect();
-        let truths: Vec<_> = queries.iter().map(Query::solve).collect();
-        let tangency = closeness(&truths, |truth| &truth.discriminant);
-        let contact = closeness(&truths, |truth| &truth.gap);
-        println!(
-            "{}: 2^{tangency:.0} from tangency, 2^{contact:.0} from contact",
-            kind.name
-        );
-        for formula in &FORMULAS {
-            judge(formula, &queries, &truths).print(formula, count);
-        }
+        judge(kind, if kind.is_near { near } else { count });
     }
     Ok(())
 }

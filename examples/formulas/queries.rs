@@ -2,16 +2,18 @@
 
 use std::ops::Range;
 
-use num_traits::Signed;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
 use crate::exact::Query;
+use crate::whole::Truth;
 
 /// A kind of query.
 pub(crate) struct Kind {
     /// What it is called.
     pub(crate) name: &'static str,
+    /// Whether it is made to be difficult.
+    pub(crate) is_near: bool,
     /// Makes one.
     pub(crate) make: fn(&mut ChaCha8Rng) -> Query,
 }
@@ -20,26 +22,32 @@ pub(crate) struct Kind {
 pub(crate) const KINDS: [Kind; 6] = [
     Kind {
         name: "generic",
+        is_near: false,
         make: |random| aimed(random, 100.0),
     },
     Kind {
         name: "1e4 radii away",
+        is_near: false,
         make: |random| aimed(random, 1e4),
     },
     Kind {
         name: "1e8 radii away",
+        is_near: false,
         make: |random| aimed(random, 1e8),
     },
     Kind {
         name: "near contact",
+        is_near: true,
         make: near_contact,
     },
     Kind {
         name: "near tangent, nudged",
+        is_near: true,
         make: nudged,
     },
     Kind {
         name: "near tangent, convergent",
+        is_near: true,
         make: convergent,
     },
 ];
@@ -77,7 +85,7 @@ fn near_contact(random: &mut ChaCha8Rng) -> Query {
         velocity: velocity.map(|speed| -speed * approach.signum()),
         reach: offset[0].hypot(offset[1]) * (1.0 - part),
     };
-    while query.solve().gap.is_negative() {
+    while Truth::of(&query).gap() < 0.0 {
         query.reach = query.reach.next_down();
     }
     query
