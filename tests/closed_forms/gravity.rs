@@ -8,7 +8,7 @@ use carom::simulation::Algorithm;
 use num_rational::BigRational;
 
 use crate::common::agree::{assert_encloses, assert_end, assert_log, assert_surd};
-use crate::common::{attempt, exactly, in_binary64, lasting, name, names, numbers, ratio};
+use crate::common::{attempt, complete, exactly, in_binary64, lasting, name, names, numbers, ratio};
 
 fn falling(duration: &str) -> SceneBuilder {
     lasting(duration).gravity([0, -2])
@@ -213,4 +213,21 @@ fn a_piston_does_not_fall() {
         .disc(Disc::at([0, 0], 1).velocity([0, 1]).infinite_mass());
     let expected = [("1", "d0 d1"), ("4", "d0 d1")];
     assert_log(&exactly(&built(scene)), &expected);
+}
+
+/// With gravity -2 and drag 1/2, in frames of 1/2: down at -1 for one frame, then
+/// by (-2 + 1/2) / 2 more, -7/4; to the right at 3/4 of 1, and at 3/4 of that.
+#[test]
+fn frames_change_the_velocity_first() {
+    let scene = Scene::builder("frames")
+        .frame("1/2", 2)
+        .gravity([0, -2])
+        .linear_drag("1/2")
+        .disc(Disc::at([0, 4], 1).velocity([1, 0]))
+        .disc(Disc::at([9, 4], 1).infinite_mass());
+    let outcome: Outcome<Exact> = complete(&built(scene), Algorithm::Single);
+    assert_end(
+        &outcome,
+        &[["21/32", "21/8", "9/16", "-7/4"], ["9", "4", "0", "0"]],
+    );
 }
