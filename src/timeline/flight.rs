@@ -6,7 +6,7 @@ use super::arbiter::{Arbiter, Foreseen, Timed};
 use crate::body::{Disc, Feature};
 use crate::detect::{gap_circle, gap_segment};
 use crate::impact::Place;
-use crate::kernel::{Approach, Flight, Kernel, Met, Time};
+use crate::kernel::{Approach, Flight, Glance, Kernel, Met, Time};
 use crate::respond::ClusterContact;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
@@ -85,18 +85,44 @@ impl<S: Kernel> Flights<S> {
         }
     }
 
+    /// What can quickly be told of that.
     #[inline]
-    fn meet_disc(&self, disc: usize, other: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
-        let (early, late) = if self.turn[disc] < self.turn[other] {
+    pub(super) fn glance(&self, disc: usize, obstacle: Obstacle) -> Glance {
+        if self.contact(disc, obstacle).is_some() {
+            return Glance::Open;
+        }
+        match obstacle {
+            Obstacle::Disc(other) => {
+                let (early, late) = self.in_order(disc, other);
+                S::glance_at_discs(&self.approach(early, late))
+            }
+            Obstacle::Wall(wall) => self.world.glance_at_wall(disc, &self.since[disc], wall),
+        }
+    }
+
+    /// Two discs, the one that changed later last.
+    #[inline]
+    fn in_order(&self, disc: usize, other: usize) -> (usize, usize) {
+        if self.turn[disc] < self.turn[other] {
             (disc, other)
         } else {
             (other, disc)
-        };
-        let approach = Approach {
+        }
+    }
+
+    #[inline]
+    fn approach(&self, early: usize, late: usize) -> Approach<'_, S> {
+        Approach {
             early: self.flight(early),
             late: self.flight(late),
             together: self.moment[early] == self.moment[late],
-        };
+        }
+    }
+
+    #[inline]
+    fn meet_disc(&self, disc: usize, other: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
+        let (early, late) = self.in_order(disc, other);
+        let approach = self.approach(early, late);
         check_order(&approach)?;
         let met = S::meet_discs(&approach)?;
         let feature = Feature::Disc(other as u32);
@@ -114,6 +140,19 @@ impl<S: Kernel> Flights<S> {
     /// The meeting of a disc with a feature that it touches and approaches.
     pub(super) fn touching(&self, disc: usize, feature: Feature) -> Meeting<S> {
         self.meeting(disc, Met::at_once(&self.since[disc]), feature)
+    }
+
+    /// The impact on a feature that is ahead within these bounds of the time, where
+    /// they tell it.
+    pub(super) fn ahead(&self, bounds: Interval, feature: Feature) -> Option<Meeting<S>> {
+        Some(Meeting {
+            time: S::time_within(bounds)?,
+            feature,
+            graze: false,
+            overlap: false,
+            inside: false,
+            moment: None,
+        })
     }
 
     /// The meeting with a feature, of which a disc is the one that is known
