@@ -10,28 +10,67 @@ use crate::body::Feature;
 /// For each disc, what it touches.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    of: Vec<Vec<Feature>>,
+    of: Vec<Touched>,
+}
+
+/// What a disc touches: mostly no more than what it collided with last.
+#[derive(Clone, Debug, Default)]
+enum Touched {
+    #[default]
+    Nothing,
+    One(Feature),
+    Several(Vec<Feature>),
+}
+
+impl Touched {
+    #[inline]
+    fn features(&self) -> &[Feature] {
+        match self {
+            Self::Nothing => &[],
+            Self::One(feature) => std::slice::from_ref(feature),
+            Self::Several(features) => features,
+        }
+    }
+
+    fn add(&mut self, feature: Feature) {
+        match self {
+            Self::Nothing => *self = Self::One(feature),
+            Self::One(other) if *other == feature => {}
+            Self::One(other) => *self = Self::Several(vec![*other, feature]),
+            Self::Several(features) if features.contains(&feature) => {}
+            Self::Several(features) => features.push(feature),
+        }
+    }
+
+    fn retain(&mut self, keeps: impl Fn(Feature) -> bool) {
+        match self {
+            Self::Nothing => {}
+            Self::One(feature) if keeps(*feature) => {}
+            Self::One(_) => *self = Self::Nothing,
+            Self::Several(features) => features.retain(|feature| keeps(*feature)),
+        }
+    }
 }
 
 impl Contacts {
     /// No contacts, for so many discs.
     pub fn none(discs: usize) -> Self {
         Self {
-            of: vec![Vec::new(); discs],
+            of: vec![Touched::Nothing; discs],
         }
     }
 
     /// What a disc touches.
     #[inline]
     pub fn of(&self, disc: usize) -> &[Feature] {
-        &self.of[disc]
+        self.of[disc].features()
     }
 
     /// Notes that a disc and a feature touch.
     pub fn join(&mut self, disc: usize, feature: Feature) {
-        self.add(disc, feature);
+        self.of[disc].add(feature);
         if let Feature::Disc(other) = feature {
-            self.add(other as usize, Feature::Disc(disc as u32));
+            self.of[other as usize].add(Feature::Disc(disc as u32));
         }
     }
 
@@ -39,20 +78,14 @@ impl Contacts {
     /// what it `keeps`.
     pub fn leave(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
         let mut left = std::mem::take(&mut self.of[disc]);
-        for feature in left.iter().filter(|feature| !keeps(**feature)) {
+        for feature in left.features().iter().filter(|feature| !keeps(**feature)) {
             if let Feature::Disc(other) = *feature {
                 let own = Feature::Disc(disc as u32);
-                self.of[other as usize].retain(|feature| *feature != own);
+                self.of[other as usize].retain(|feature| feature != own);
             }
         }
-        left.retain(|feature| keeps(*feature));
+        left.retain(keeps);
         self.of[disc] = left;
-    }
-
-    fn add(&mut self, disc: usize, feature: Feature) {
-        if !self.of[disc].contains(&feature) {
-            self.of[disc].push(feature);
-        }
     }
 }
 

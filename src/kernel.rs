@@ -258,6 +258,30 @@ impl<T> Met<T> {
     }
 }
 
+/// What can be told of a meeting before it is computed.
+#[derive(Clone, Copy, Debug)]
+pub enum Glance {
+    /// The bodies do not meet.
+    Clear,
+    /// They do, apart now, within these bounds of the time; a wall at its end
+    /// point, unless in its interior.
+    Ahead(Interval, Option<End>),
+    /// Nothing.
+    Open,
+}
+
+impl Glance {
+    /// What a meeting comes to.
+    #[inline]
+    fn at<S: Scalar, T: Time<S>>(met: Option<Met<T>>) -> Self {
+        match met {
+            None => Self::Clear,
+            Some(met) if met.graze || met.overlap => Self::Open,
+            Some(met) => Self::Ahead(met.time.bounds(), met.end),
+        }
+    }
+}
+
 /// A number type, and how bodies whose numbers it holds collide.
 ///
 /// The errors of all methods are open decisions.
@@ -331,6 +355,10 @@ pub trait Kernel: Scalar {
         Ok(None)
     }
 
+    /// Whether numbers are binary64 and discs move uniformly between impacts: as
+    /// the stored numbers say, or as operations on them come to.
+    const GLIDES: bool = false;
+
     /// When two discs meet, at least one of which can be deflected.
     #[inline]
     fn meet_discs(approach: &Approach<'_, Self>) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
@@ -354,6 +382,32 @@ pub trait Kernel: Scalar {
         } = flight.disc;
         let met = meet_segment(position, velocity, radius, wall, barred)?;
         Ok(met.map(|encounter| Met::after(flight.since, encounter)))
+    }
+
+    /// The time of a meeting that is ahead within these bounds, where they tell
+    /// it.
+    #[inline]
+    fn time_within(bounds: Interval) -> Option<Self::Time> {
+        let _ = bounds;
+        None
+    }
+
+    /// What can quickly be told of the meeting of two discs.
+    #[inline]
+    fn glance_at_discs(approach: &Approach<'_, Self>) -> Glance {
+        let _ = approach;
+        Glance::Open
+    }
+
+    /// What can quickly be told of the meeting of a disc and a wall.
+    #[inline]
+    fn glance_at_wall(
+        flight: Flight<'_, Self>,
+        wall: &Segment<Self>,
+        barred: impl Fn(End) -> bool,
+    ) -> Glance {
+        let _ = (flight, wall, barred);
+        Glance::Open
     }
 
     /// Where a disc is at a time, if nothing changes its motion.
@@ -451,7 +505,30 @@ impl Kernel for f64 {
     type Time = Self;
     type Pull = ();
 
+    const GLIDES: bool = true;
+
     fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
+
+    #[inline]
+    fn time_within(bounds: Interval) -> Option<Self> {
+        Some(bounds.lo())
+    }
+
+    #[inline]
+    fn glance_at_discs(approach: &Approach<'_, Self>) -> Glance {
+        let Ok(met) = Self::meet_discs(approach);
+        Glance::at(met)
+    }
+
+    #[inline]
+    fn glance_at_wall(
+        flight: Flight<'_, Self>,
+        wall: &Segment<Self>,
+        barred: impl Fn(End) -> bool,
+    ) -> Glance {
+        let Ok(met) = Self::meet_wall(flight, wall, barred);
+        Glance::at(met)
+    }
 }
 
 impl Kernel for Interval {

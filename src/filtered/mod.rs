@@ -51,9 +51,9 @@ use std::convert::Infallible;
 
 use crate::body::Disc;
 use crate::detect::{End, Overlap, Segment};
-use crate::kernel::{Approach, Flight, Kernel, Met, Time};
+use crate::kernel::{Approach, Flight, Glance, Kernel, Met, Time};
 use crate::respond::{Normal, Restitution};
-use crate::scalar::{Dyadic, Filtered};
+use crate::scalar::{Dyadic, Filtered, Interval};
 use crate::vec2::Vec2;
 use course::{Course, Line, Ray};
 use exact::{Meeting, Part};
@@ -70,6 +70,8 @@ impl Kernel for Filtered {
 
     /// What the stored numbers say is all that counts.
     const REMEMBERS_CONTACTS: bool = false;
+
+    const GLIDES: bool = true;
 
     fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 
@@ -107,6 +109,22 @@ impl Kernel for Filtered {
                 found(meeting, course, flight.since).map(|met| Met { end, ..met })
             }
         })
+    }
+
+    #[inline]
+    fn glance_at_discs(approach: &Approach<'_, Self>) -> Glance {
+        let pair = [approach.early, approach.late].map(Ray::of);
+        glance(screen::discs(&pair), None, approach.late.since)
+    }
+
+    #[inline]
+    fn glance_at_wall(
+        flight: Flight<'_, Self>,
+        wall: &Segment<Self>,
+        barred: impl Fn(End) -> bool,
+    ) -> Glance {
+        let (verdict, end) = screen::wall(&Ray::of(flight), &Line::of(wall), barred);
+        glance(verdict, end, flight.since)
     }
 
     fn position_at(flight: Flight<'_, Self>, time: &Moment) -> Vec2<Self> {
@@ -194,6 +212,19 @@ fn met(time: Moment) -> Met<Moment> {
         inside: false,
         rest: false,
         end: None,
+    }
+}
+
+/// What a decision in floating point amounts to, seen from a time.
+#[inline]
+fn glance(verdict: Verdict<f64>, end: Option<End>, start: &Filtered) -> Glance {
+    match verdict {
+        Verdict::Apart => Glance::Clear,
+        Verdict::After(delay) => {
+            let [lo, hi] = delay.after(start.get()).bounds();
+            Glance::Ahead(Interval::new(lo, hi), end)
+        }
+        Verdict::Open => Glance::Open,
     }
 }
 

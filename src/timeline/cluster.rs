@@ -254,18 +254,19 @@ impl<S: Timed> Timeline<S> {
     /// now: none of its contacts approaches.
     fn part(&mut self, cluster: &Cluster<S>) {
         for &disc in &cluster.discs {
-            self.grazed[disc].clear();
-            self.parted[disc].clear();
+            self.grazed.clear(disc);
+            self.parted.clear(disc);
         }
         let lasts = |&(disc, feature): &(usize, Feature)| {
             matches!(feature, Feature::Disc(_)) || !cluster.overlaps.contains(&(disc, feature))
         };
         for &(disc, feature) in cluster.contacts.iter().filter(|contact| lasts(contact)) {
             let turn = self.flights.turn_of(feature);
-            self.parted[disc].push((feature, turn));
+            self.parted.add(disc, feature, turn);
             if let Feature::Disc(other) = feature {
                 let turn = self.flights.turn[disc];
-                self.parted[other as usize].push((Feature::Disc(disc as u32), turn));
+                self.parted
+                    .add(other as usize, Feature::Disc(disc as u32), turn);
             }
         }
     }

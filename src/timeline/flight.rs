@@ -6,7 +6,7 @@ use super::arbiter::{Arbiter, Foreseen, Timed};
 use crate::body::{Disc, End, Feature, Wall};
 use crate::detect::{gap_circle, gap_segment};
 use crate::impact::Place;
-use crate::kernel::{Approach, Flight, Kernel, Met, Pull, Time};
+use crate::kernel::{Approach, Flight, Glance, Kernel, Met, Pull, Time};
 use crate::respond::ClusterContact;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
@@ -122,7 +122,8 @@ impl<S: Kernel> Flights<S> {
     ) -> Result<Option<Meeting<S>>, S::Doubt> {
         match obstacle {
             Obstacle::Disc(other) => {
-                let (late, approach) = self.approach(disc, other);
+                let (early, late) = self.in_order(disc, other);
+                let approach = self.approach(early, late);
                 let met = S::meet_disc_again(&approach)?;
                 Ok(met.map(|met| self.meeting(late, met, feature)))
             }
@@ -136,25 +137,44 @@ impl<S: Kernel> Flights<S> {
         }
     }
 
-    /// Two discs, and which of them is known since the later time.
+    /// What can quickly be told of that.
     #[inline]
-    fn approach(&self, disc: usize, other: usize) -> (usize, Approach<'_, S>) {
-        let (early, late) = if self.turn[disc] < self.turn[other] {
+    pub(super) fn glance(&self, disc: usize, obstacle: Obstacle) -> Glance {
+        if self.contact(disc, obstacle).is_some() {
+            return Glance::Open;
+        }
+        match obstacle {
+            Obstacle::Disc(other) => {
+                let (early, late) = self.in_order(disc, other);
+                S::glance_at_discs(&self.approach(early, late))
+            }
+            Obstacle::Wall(wall) => self.world.glance_at_wall(disc, &self.since[disc], wall),
+        }
+    }
+
+    /// Two discs, the one that changed later last.
+    #[inline]
+    fn in_order(&self, disc: usize, other: usize) -> (usize, usize) {
+        if self.turn[disc] < self.turn[other] {
             (disc, other)
         } else {
             (other, disc)
-        };
-        let approach = Approach {
+        }
+    }
+
+    #[inline]
+    fn approach(&self, early: usize, late: usize) -> Approach<'_, S> {
+        Approach {
             early: self.flight(early),
             late: self.flight(late),
             together: self.moment[early] == self.moment[late],
-        };
-        (late, approach)
+        }
     }
 
     #[inline]
     fn meet_disc(&self, disc: usize, other: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
-        let (late, approach) = self.approach(disc, other);
+        let (early, late) = self.in_order(disc, other);
+        let approach = self.approach(early, late);
         check_order(&approach)?;
         let met = S::meet_discs(&approach)?;
         let feature = Feature::Disc(other as u32);
@@ -182,6 +202,20 @@ impl<S: Kernel> Flights<S> {
     /// The meeting of a disc with a feature that it touches and approaches.
     pub(super) fn touching(&self, disc: usize, feature: Feature) -> Meeting<S> {
         self.meeting(disc, Met::at_once(&self.since[disc]), feature)
+    }
+
+    /// The impact on a feature that is ahead within these bounds of the time, where
+    /// they tell it.
+    pub(super) fn ahead(&self, bounds: Interval, feature: Feature) -> Option<Meeting<S>> {
+        Some(Meeting {
+            time: S::time_within(bounds)?,
+            feature,
+            graze: false,
+            overlap: false,
+            inside: false,
+            rest: false,
+            moment: None,
+        })
     }
 
     /// The meeting with a feature, of which a disc is the one that is known

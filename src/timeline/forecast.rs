@@ -16,8 +16,9 @@ use super::arbiter::{Arbiter, Foreseen, Timed};
 use super::flight::{Flights, Meeting};
 use super::neighbours::{BroadPhase, Neighbours};
 use super::sweep::Sweep;
+use super::tracks::{Track, Tracks};
 use crate::body::Feature;
-use crate::kernel::{Kernel, Time};
+use crate::kernel::{Glance, Kernel, Time};
 use crate::scalar::{Doubt, Interval};
 use crate::world::Obstacle;
 
@@ -42,8 +43,8 @@ pub(super) enum Outlook<S: Kernel> {
     Bounded(Obstacle, Foresight),
     /// Only that there is none before it leaves its neighbours.
     Leaving,
-    /// All.
-    Computed(Meeting<S>, Foresight),
+    /// All. Boxed, for most forecasts are made anew before they come true.
+    Computed(Box<Meeting<S>>, Foresight),
 }
 
 /// What is met, and the partner's turn that this supposes.
@@ -89,21 +90,24 @@ impl<S: Kernel> Forecast<S> {
         matches!(self.outlook, Outlook::Leaving)
     }
 
-    fn bounded(obstacle: Obstacle, bounds: &Meeting<Interval>, flights: &Flights<S>) -> Self {
-        let foresight = Foresight::new(bounds.feature, flights);
+    fn bounded(
+        obstacle: Obstacle,
+        bounds: Interval,
+        feature: Feature,
+        flights: &Flights<S>,
+    ) -> Self {
         Self {
-            bounds: bounds.time,
-            outlook: Outlook::Bounded(obstacle, foresight),
+            bounds,
+            outlook: Outlook::Bounded(obstacle, Foresight::new(feature, flights)),
             contested: None,
         }
     }
 
-    #[inline]
     fn computed(meeting: Meeting<S>, flights: &Flights<S>) -> Self {
         let foresight = Foresight::new(meeting.feature, flights);
         Self {
             bounds: meeting.time.bounds(),
-            outlook: Outlook::Computed(meeting, foresight),
+            outlook: Outlook::Computed(Box::new(meeting), foresight),
             contested: None,
         }
     }
@@ -165,22 +169,52 @@ impl<S: Kernel> Forecast<S> {
 }
 
 impl<S: Timed> Forecast<S> {
-    /// The meeting of a disc, computed if bounds have sufficed so far; what is
-    /// met must not be open.
+    /// Computes the meeting of a disc, if bounds have sufficed so far.
     pub(super) fn compute(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
         arbiter: &mut S::Arbiter,
-    ) -> Result<&Meeting<S>, S::Doubt> {
+    ) -> Result<(), S::Doubt> {
         if let Outlook::Bounded(obstacle, foresight) = self.outlook {
-            let met = meet(flights, disc, obstacle, arbiter)?;
-            let meeting = met.expect("bounds prove that the two meet");
+            let feature = foresight.feature;
+            let meeting = impact(flights, disc, (obstacle, feature), self.bounds, arbiter)?;
             self.bounds = meeting.time.bounds();
-            self.outlook = Outlook::Computed(meeting, foresight);
+            self.outlook = Outlook::Computed(Box::new(meeting), foresight);
         }
-        Ok(self.meeting().expect("it is not open what is met"))
+        Ok(())
     }
+
+    /// The meeting of a disc, which comes true; what is met must not be open.
+    pub(super) fn come_true(
+        self,
+        flights: &Flights<S>,
+        disc: usize,
+        arbiter: &mut S::Arbiter,
+    ) -> Result<Meeting<S>, S::Doubt> {
+        match self.outlook {
+            Outlook::Bounded(obstacle, Foresight { feature, .. }) => {
+                impact(flights, disc, (obstacle, feature), self.bounds, arbiter)
+            }
+            Outlook::Computed(meeting, _) => Ok(*meeting),
+            Outlook::Open | Outlook::Leaving => unreachable!("it is open what is met"),
+        }
+    }
+}
+
+/// The impact of a disc that bounds prove.
+fn impact<S: Timed>(
+    flights: &Flights<S>,
+    disc: usize,
+    (obstacle, feature): (Obstacle, Feature),
+    bounds: Interval,
+    arbiter: &mut S::Arbiter,
+) -> Result<Meeting<S>, S::Doubt> {
+    if let Some(meeting) = flights.ahead(bounds, feature) {
+        return Ok(meeting);
+    }
+    let met = meet(flights, disc, obstacle, arbiter)?;
+    Ok(met.expect("bounds prove that the two meet"))
 }
 
 /// When and where a disc meets an obstacle, where numbers leave that open by
@@ -209,9 +243,12 @@ fn meet<S: Timed>(
 pub(super) struct Forecaster {
     /// The bodies' binary64 bounds, where the arithmetic wants the filter.
     bounds: Option<Bounds>,
+    /// How the bodies move, where that is simple.
+    tracks: Tracks,
     neighbours: Neighbours,
-    /// What a disc may meet, and what of it bounds have not ruled out.
-    candidates: Vec<Obstacle>,
+    /// The discs that a disc may meet.
+    near: Vec<u32>,
+    /// What of the bodies that a disc may meet bounds have not ruled out.
     survivors: Vec<Survivor>,
     /// No meeting after this is of interest.
     horizon: f64,
@@ -230,20 +267,10 @@ struct Bounds {
 #[derive(Clone, Debug)]
 struct Survivor {
     obstacle: Obstacle,
-    /// They do not meet before.
-    earliest: f64,
-    /// The bounds of the meeting, unless they leave it open whether there is
-    /// one.
-    meeting: Option<Meeting<Interval>>,
-}
-
-impl Survivor {
-    /// The bounds, if they prove an impact with a delay.
-    fn impact(&self) -> Option<&Meeting<Interval>> {
-        self.meeting
-            .as_ref()
-            .filter(|meeting| !meeting.graze && !meeting.overlap)
-    }
+    /// They do not meet outside of this time, if they do.
+    time: Interval,
+    /// What is met, if it is proven that there is an impact with a delay.
+    impact: Option<Feature>,
 }
 
 /// How far to go with a forecast.
@@ -260,8 +287,9 @@ impl Forecaster {
         let horizon = horizon.hull().hi();
         Self {
             bounds: S::IS_DEAR.then(|| Bounds::new(flights.hull(), horizon)),
+            tracks: Tracks::new(flights),
             neighbours: Neighbours::new(flights, phase),
-            candidates: Vec::new(),
+            near: Vec::new(),
             survivors: Vec::new(),
             horizon,
             closest: f64::INFINITY,
@@ -279,6 +307,7 @@ impl Forecaster {
         if let Some(bounds) = &mut self.bounds {
             bounds.update(flights, disc);
         }
+        self.tracks.update(flights, disc);
         self.neighbours.update(flights, disc);
     }
 
@@ -310,16 +339,9 @@ impl Forecaster {
             impl Fn(Obstacle, Feature, bool) -> bool,
         ),
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
-        let mut candidates = std::mem::take(&mut self.candidates);
-        self.neighbours
-            .collect(&flights.world, disc, &mut candidates);
-        let wanted = candidates
-            .iter()
-            .copied()
-            .filter(|&obstacle| wanted(obstacle));
-        let first = self.first(flights, disc, (wanted, effort), arbiter, skips);
-        self.candidates = candidates;
-        let (first, leave) = (first?, self.neighbours.last_until(disc));
+        let leave = self.neighbours.last_until(disc);
+        self.sift(flights, disc, leave, wanted, &skips);
+        let first = self.first(flights, disc, effort, arbiter, skips)?;
         Ok(match first {
             Some(first) if first.bounds.hi() <= leave => Some(first),
             _ if leave > self.horizon => first,
@@ -328,43 +350,143 @@ impl Forecaster {
         })
     }
 
+    /// Collects what a disc may meet first, and not after the horizon: walls
+    /// before discs, for often they bound how far ahead it is worth to look.
+    fn sift<S: Timed>(
+        &mut self,
+        flights: &Flights<S>,
+        disc: usize,
+        leave: f64,
+        wanted: impl Fn(Obstacle) -> bool,
+        skips: impl Fn(Obstacle, Feature, bool) -> bool,
+    ) {
+        let latest = match self.bounds {
+            Some(_) => self.horizon,
+            None => self.horizon.min(leave),
+        };
+        self.survivors.clear();
+        let mut sieve = Sieve {
+            flights,
+            disc,
+            bounds: self.bounds.as_ref(),
+            survivors: &mut self.survivors,
+            latest,
+            wanted,
+            skips,
+        };
+        let (world, neighbours) = (&flights.world, &self.neighbours);
+        neighbours.visit_walls(world, disc, |wall| sieve.add(Obstacle::Wall(wall as usize)));
+        neighbours.list_discs(world, disc, &mut self.near);
+        let track = self.tracks.of(disc);
+        for &other in &self.near {
+            let other = other as usize;
+            let is_clear = |track: &Track| self.tracks.are_clear(track, other, sieve.latest);
+            if other != disc && !track.is_some_and(is_clear) {
+                sieve.add(Obstacle::Disc(other));
+            }
+        }
+        sieve.finish();
+    }
+
+    /// The first meeting among the survivors.
     fn first<S: Timed>(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
-        (candidates, effort): (impl Iterator<Item = Obstacle>, Effort),
+        effort: Effort,
         arbiter: &mut S::Arbiter,
         skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) -> Result<Option<Forecast<S>>, S::Doubt> {
-        let horizon = self.horizon;
-        let mut first = First::new(flights, horizon);
-        let Some(bounds) = &self.bounds else {
-            for obstacle in candidates {
-                first.offer(disc, obstacle, arbiter, &skips)?;
-            }
-            return Ok(first.finish(disc));
-        };
-        bounds.filter(disc, candidates, &mut self.survivors, &skips);
-        let earliest = |survivors: &[Survivor]| {
-            let times = survivors.iter().map(|survivor| survivor.earliest);
-            times.fold(f64::INFINITY, f64::min)
-        };
         match &self.survivors[..] {
             [] => return Ok(None),
-            [only] if only.impact().is_some() => {
-                let forecast = |meeting| Forecast::bounded(only.obstacle, meeting, flights);
-                return Ok(only.impact().map(forecast));
-            }
-            several if effort == Effort::Bounds => {
-                return Ok(Some(Forecast::open(earliest(several), horizon)));
+            &[
+                Survivor {
+                    obstacle,
+                    time,
+                    impact: Some(feature),
+                },
+            ] => return Ok(Some(Forecast::bounded(obstacle, time, feature, flights))),
+            several if S::IS_DEAR && effort == Effort::Bounds => {
+                let times = several.iter().map(|survivor| survivor.time.lo());
+                let earliest = times.fold(f64::INFINITY, f64::min);
+                return Ok(Some(Forecast::open(earliest, self.horizon)));
             }
             _ => {}
         }
+        let mut first = First::new(flights, self.horizon);
         for survivor in &self.survivors {
             first.offer(disc, survivor.obstacle, arbiter, &skips)?;
         }
         self.closest = self.closest.min(first.closest);
         Ok(first.finish(disc))
+    }
+}
+
+/// Finds what of its neighbours a disc may meet first.
+struct Sieve<'a, S: Kernel, W, K> {
+    flights: &'a Flights<S>,
+    disc: usize,
+    bounds: Option<&'a Bounds>,
+    survivors: &'a mut Vec<Survivor>,
+    /// A time by which it meets something, if nothing happens before, or after
+    /// which nothing is of interest.
+    latest: f64,
+    wanted: W,
+    skips: K,
+}
+
+impl<S, W, K> Sieve<'_, S, W, K>
+where
+    S: Kernel,
+    W: Fn(Obstacle) -> bool,
+    K: Fn(Obstacle, Feature, bool) -> bool,
+{
+    /// Adds an obstacle, unless it is ruled out.
+    #[inline(never)]
+    fn add(&mut self, obstacle: Obstacle) {
+        if self.flights.world.is_barred(self.disc, obstacle) || !(self.wanted)(obstacle) {
+            return;
+        }
+        let survivor = match self.bounds {
+            Some(bounds) => bounds.look(self.disc, obstacle, self.latest, &self.skips),
+            None => self.glance(obstacle),
+        };
+        if let Some(survivor) = survivor
+            && survivor.time.lo() <= self.latest
+        {
+            self.latest = self.latest.min(survivor.time.hi());
+            self.survivors.push(survivor);
+        }
+    }
+
+    /// What a glance does not rule out.
+    #[inline]
+    fn glance(&self, obstacle: Obstacle) -> Option<Survivor> {
+        let (time, impact) = match self.flights.glance(self.disc, obstacle) {
+            Glance::Clear => return None,
+            Glance::Open => (Interval::UNBOUNDED, None),
+            Glance::Ahead(time, end) => {
+                let feature = self.flights.world.feature_of(obstacle, end);
+                if (self.skips)(obstacle, feature, false) {
+                    return None;
+                }
+                (time, Some(feature))
+            }
+        };
+        Some(Survivor {
+            obstacle,
+            time,
+            impact,
+        })
+    }
+
+    /// Drops what others have ruled out since.
+    fn finish(self) {
+        if self.survivors.len() > 1 {
+            let latest = self.latest;
+            self.survivors
+                .retain(|survivor| survivor.time.lo() <= latest);
+        }
     }
 }
 
@@ -379,44 +501,37 @@ impl Bounds {
         self.sweep.update(&self.flights, disc);
     }
 
-    /// Collects the obstacles among `candidates` that a disc may meet first,
-    /// and not after the horizon.
-    fn filter(
+    /// What bounds do not rule out as the first meeting of a disc, up to a time.
+    fn look(
         &self,
         disc: usize,
-        candidates: impl Iterator<Item = Obstacle>,
-        survivors: &mut Vec<Survivor>,
+        obstacle: Obstacle,
+        latest: f64,
         skips: impl Fn(Obstacle, Feature, bool) -> bool,
-    ) {
-        survivors.clear();
-        let earliest = self.flights.since[disc].lo();
-        // A time by which it meets something, if nothing happens before.
-        let mut latest = self.sweep.horizon();
-        for obstacle in candidates {
-            if let Obstacle::Disc(other) = obstacle
-                && self.sweep.are_apart(disc, other, earliest, latest)
-            {
-                continue;
-            }
-            let (earliest, meeting) = match self.flights.meet(disc, obstacle) {
-                Ok(None) => continue,
-                Ok(Some(meeting)) if skips(obstacle, meeting.feature, meeting.inside) => continue,
-                Ok(Some(meeting)) => (meeting.time.lo(), Some(meeting)),
-                Err(_) => (self.flights.apart_until(disc, obstacle), None),
-            };
-            if earliest > latest {
-                continue;
-            }
-            if let Some(meeting) = &meeting {
-                latest = latest.min(meeting.time.hi());
-            }
-            survivors.push(Survivor {
-                obstacle,
-                earliest,
-                meeting,
-            });
+    ) -> Option<Survivor> {
+        let begun = self.flights.since[disc].lo();
+        if let Obstacle::Disc(other) = obstacle
+            && self.sweep.are_apart(disc, other, begun, latest)
+        {
+            return None;
         }
-        survivors.retain(|survivor| survivor.earliest <= latest);
+        let (time, impact) = match self.flights.meet(disc, obstacle) {
+            Ok(None) => return None,
+            Ok(Some(meeting)) if skips(obstacle, meeting.feature, meeting.inside) => return None,
+            Ok(Some(meeting)) => {
+                let is_impact = !meeting.graze && !meeting.overlap;
+                (meeting.time, is_impact.then_some(meeting.feature))
+            }
+            Err(_) => {
+                let earliest = self.flights.apart_until(disc, obstacle);
+                (Interval::new(earliest, f64::INFINITY), None)
+            }
+        };
+        Some(Survivor {
+            obstacle,
+            time,
+            impact,
+        })
     }
 }
 

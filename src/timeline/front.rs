@@ -81,6 +81,13 @@ impl<S: Timed> Timeline<S> {
     /// not go far enough. One that is still contested when it may come true
     /// ends the run.
     fn refresh(&mut self) -> Result<bool, S::Doubt> {
+        let is_in_doubt = |timeline: &Self, disc, next: &Forecast<S>| {
+            let is_vague = next.is_open() || next.is_leaving() || next.contested.is_some();
+            is_vague || timeline.is_void(disc, next)
+        };
+        if self.find(is_in_doubt).is_none() {
+            return Ok(false);
+        }
         if let Some(disc) = self.find(|timeline, disc, next| timeline.is_void(disc, next)) {
             self.forecast(disc, Effort::Bounds)?;
             return Ok(true);
@@ -138,6 +145,11 @@ impl<S: Timed> Timeline<S> {
                 let names = self.flights.world.names(disc, feature);
                 self.candidates.push(Candidate { disc, names });
             }
+        }
+        if let [first, second] = &self.candidates[..]
+            && first.names == second.names
+        {
+            self.candidates.truncate(1);
         }
         if self.candidates.len() > 1 {
             self.candidates.sort_by_key(|candidate| candidate.names);

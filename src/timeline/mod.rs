@@ -19,11 +19,13 @@ mod forecast;
 mod front;
 mod neighbours;
 mod nested;
+mod notes;
 mod queue;
 mod rest;
 mod step;
 mod sweep;
 mod ties;
+mod tracks;
 
 use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
@@ -40,6 +42,7 @@ use flight::Flights;
 use forecast::{Effort, Forecast, Forecaster};
 use front::Candidate;
 use nested::Nested;
+use notes::Notes;
 use queue::Queue;
 
 pub use accumulation::Accumulation;
@@ -116,10 +119,10 @@ pub struct Timeline<S: Timed> {
     tied: Vec<usize>,
     /// What each disc has grazed since it last changed, and the partner's
     /// turn then.
-    grazed: Vec<Vec<(Feature, u64)>>,
+    grazed: Notes,
     /// What each disc has parted from when a cluster was resolved, and the
     /// partner's turn then.
-    parted: Vec<Vec<(Feature, u64)>>,
+    parted: Notes,
     nested: Nested,
     rule: Simultaneous,
     /// The times at which clusters jam, by their names.
@@ -168,8 +171,8 @@ impl<S: Timed> Timeline<S> {
             front: Vec::new(),
             candidates: Vec::new(),
             tied: Vec::new(),
-            grazed: vec![Vec::new(); count],
-            parted: vec![Vec::new(); count],
+            grazed: Notes::default(),
+            parted: Notes::default(),
             rule: setup.simultaneous,
             jammed: BTreeSet::new(),
             pending: VecDeque::new(),
@@ -284,16 +287,16 @@ impl<S: Timed> Timeline<S> {
 
     fn note_graze(&mut self, disc: usize, feature: Feature) {
         let turn = self.flights.turn_of(feature);
-        self.grazed[disc].push((feature, turn));
+        self.grazed.add(disc, feature, turn);
     }
 
     fn has_grazed(&self, disc: usize, feature: Feature) -> bool {
         let turn = self.flights.turn_of(feature);
-        self.grazed[disc].contains(&(feature, turn))
+        self.grazed.of(disc).contains(&(feature, turn))
     }
 
     /// Resolves an impact, and forecasts what comes of it.
-    fn resolve(&mut self, disc: usize, mut forecast: Forecast<S>) -> Result<Impact<S>, S::Doubt> {
+    fn resolve(&mut self, disc: usize, forecast: Forecast<S>) -> Result<Impact<S>, S::Doubt> {
         self.turn += 1;
         let met = forecast.foreseen(disc);
         let (first, feature) = (met.disc, met.feature);
@@ -303,12 +306,12 @@ impl<S: Timed> Timeline<S> {
         let changed = self.changed(first, feature);
         let tells_overlaps = self.tells_overlaps(first);
         self.arbiter.note(&met, changed, moment);
+        let is_inside = forecast.is_inside();
         let (time, contact) = match self.leap(&met) {
             Some(leapt) => leapt,
-            None => self.walk(disc, &mut forecast, &met, moment)?,
+            None => self.walk(disc, forecast, &met, moment)?,
         };
-        let inside =
-            tells_overlaps && forecast.is_inside() || self.overlaps_beside(first, feature, &time);
+        let inside = tells_overlaps && is_inside || self.overlaps_beside(first, feature, &time);
         let world = &mut self.flights.world;
         if inside {
             world.forget(first, feature);
@@ -321,8 +324,8 @@ impl<S: Timed> Timeline<S> {
             self.let_go(changed, first, feature)?;
         }
         for disc in changed.into_iter().flatten() {
-            self.grazed[disc].clear();
-            self.parted[disc].clear();
+            self.grazed.clear(disc);
+            self.parted.clear(disc);
             self.forecaster.update(&self.flights, disc);
         }
         for disc in changed.into_iter().flatten() {
@@ -372,12 +375,12 @@ impl<S: Timed> Timeline<S> {
     fn walk(
         &mut self,
         disc: usize,
-        forecast: &mut Forecast<S>,
+        forecast: Forecast<S>,
         met: &Foreseen,
         moment: u64,
     ) -> Result<(S, Contact<S>), S::Doubt> {
-        let meeting = forecast.compute(&self.flights, disc, &mut self.arbiter)?;
-        let (time, overlap) = (meeting.time.clone().settled(&self.now), meeting.overlap);
+        let meeting = forecast.come_true(&self.flights, disc, &mut self.arbiter)?;
+        let (time, overlap) = (meeting.time.settled(&self.now), meeting.overlap);
         let (first, feature) = (met.disc, met.feature);
         for changed in self.movable(first, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
@@ -426,14 +429,14 @@ impl<S: Timed> Timeline<S> {
         partners: Partners,
         effort: Effort,
     ) -> Result<(), S::Doubt> {
-        let (flights, grazed, nested) = (&self.flights, &self.grazed[disc], &self.nested);
+        let (flights, grazed, nested) = (&self.flights, self.grazed.of(disc), &self.nested);
         let skips = |obstacle, feature, inside| {
             let grazed =
                 !grazed.is_empty() && grazed.contains(&(feature, flights.turn_of(feature)));
             grazed || inside && nested.holds(disc, obstacle)
         };
         let next = if flights.world.discs[disc].is_movable() {
-            let parted = &self.parted[disc];
+            let parted = self.parted.of(disc);
             let world = &flights.world;
             let wanted = |obstacle| {
                 let holds = |&(feature, turn): &(Feature, u64)| {

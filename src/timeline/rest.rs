@@ -80,8 +80,8 @@ impl<S: Timed> Timeline<S> {
     }
 
     fn renew_forecast(&mut self, disc: usize) -> Result<(), S::Doubt> {
-        self.grazed[disc].clear();
-        self.parted[disc].clear();
+        self.grazed.clear(disc);
+        self.parted.clear(disc);
         self.forecaster.update(&self.flights, disc);
         self.forecast(disc, Effort::Bounds)
     }

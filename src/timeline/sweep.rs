@@ -63,11 +63,6 @@ impl Sweep {
         sweep
     }
 
-    /// The time up to which the tracks hold.
-    pub(super) fn horizon(&self) -> f64 {
-        self.horizon
-    }
-
     /// Takes note of a disc whose motion has changed.
     pub(super) fn update(&mut self, flights: &Flights<Interval>, disc: usize) {
         let body = &flights.world.discs[disc];

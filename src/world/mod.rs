@@ -8,7 +8,7 @@ use std::cmp::Ordering::{self, Equal};
 use crate::body::{BodyId, Disc, End, Feature, Mass, Pair, Wall};
 use crate::contacts::Contacts;
 use crate::detect::Segment;
-use crate::kernel::{Flight, Kernel, Met, Time};
+use crate::kernel::{Flight, Glance, Kernel, Met, Time};
 use crate::respond::Restitution;
 use crate::vec2::Vec2;
 
@@ -156,16 +156,6 @@ impl<S: Kernel> World<S> {
         })
     }
 
-    /// What a disc may meet in free motion, walls first: often they bound how
-    /// far ahead it is worth to look.
-    pub(crate) fn obstacles(&self, disc: usize) -> impl Iterator<Item = Obstacle> + use<'_, S> {
-        let discs = (0..self.discs.len()).map(Obstacle::Disc);
-        let walls = (0..self.walls.len()).map(Obstacle::Wall);
-        walls
-            .chain(discs)
-            .filter(move |&obstacle| !self.is_barred(disc, obstacle))
-    }
-
     /// All numbers that the bodies are given by.
     pub(crate) fn numbers(&self) -> impl Iterator<Item = &S> {
         let discs = self.discs.iter().flat_map(|disc| {
@@ -246,6 +236,15 @@ impl<S: Kernel> World<S> {
         S::meet_wall(self.flight(disc, since), &wall.segment, barred)
     }
 
+    /// What can quickly be told of that.
+    #[inline]
+    pub(crate) fn glance_at_wall(&self, disc: usize, since: &S, wall: usize) -> Glance {
+        let last = self.discs[disc].last;
+        let wall = &self.walls[wall];
+        let barred = |end| self.is_end_of(last, wall.corner(end));
+        S::glance_at_wall(self.flight(disc, since), &wall.segment, barred)
+    }
+
     /// Whether a corner belongs to what a disc has parted from.
     fn is_end_of(&self, last: Option<Feature>, corner: u32) -> bool {
         matches!(last, Some(Feature::Wall(wall))
@@ -257,6 +256,14 @@ impl<S: Kernel> World<S> {
         match end {
             Some(end) => Feature::Corner(self.walls[wall].corner(end)),
             None => Feature::Wall(wall as u32),
+        }
+    }
+
+    /// What of an obstacle an encounter touches.
+    pub(crate) fn feature_of(&self, obstacle: Obstacle, end: Option<End>) -> Feature {
+        match obstacle {
+            Obstacle::Disc(other) => Feature::Disc(other as u32),
+            Obstacle::Wall(wall) => self.feature(wall, end),
         }
     }
 

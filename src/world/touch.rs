@@ -64,6 +64,9 @@ impl<S: Kernel> World<S> {
     /// What of an obstacle a disc touches by construction.
     #[inline]
     pub fn contact(&self, disc: usize, obstacle: Obstacle) -> Option<Feature> {
+        if !S::REMEMBERS_CONTACTS {
+            return None;
+        }
         let mut touched = self.contacts.of(disc).iter().copied();
         touched.find(|feature| self.is_part_of(*feature, obstacle))
     }

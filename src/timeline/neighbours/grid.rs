@@ -6,15 +6,15 @@
 //! neighbours, or one. All that is computed here is so in binary64, with an
 //! error that is checked to be less than a quarter of the margin.
 //!
-//! The cells of a plane without bounds share a finite number of *buckets*, in
-//! which each disc is linked to the next. A disc that is larger than R, or of
+//! The cells of a plane without bounds share a finite number of *buckets*. A disc that is larger than R, or of
 //! which the numbers are too uncertain, or that keeps leaving cells without
 //! meeting anything, is a *stray*: a neighbour of all others, as all are of it.
 
 use super::Motion;
+use super::cells::{Cells, ROOM};
 use super::walls::Walls;
 use crate::scalar::Interval;
-use crate::world::{Obstacle, World};
+use crate::world::World;
 
 /// The part of a cell that is margin.
 const MARGIN: f64 = 1.0 / 16.0;
@@ -25,7 +25,7 @@ const SIZE: f64 = 2.0 * (1.0 + 1e-9) / (1.0 - 2.0 * MARGIN);
 /// Cells further out have no names.
 const FARTHEST: f64 = (1_u64 << 31) as f64;
 
-/// The end of a list, and where strays are.
+/// Where strays are.
 const NONE: u32 = u32::MAX;
 
 /// Where a disc is that has not been placed yet.
@@ -35,8 +35,7 @@ const NOWHERE: u32 = u32::MAX - 1;
 #[derive(Clone, Debug)]
 pub(in crate::timeline) struct Grid {
     shape: Shape,
-    /// The first disc of each bucket.
-    first: Vec<u32>,
+    buckets: Cells,
     places: Vec<Place>,
     strays: Vec<u32>,
     walls: Walls,
@@ -52,6 +51,7 @@ pub(in crate::timeline) struct Grid {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
     pub(super) size: f64,
+    inverse: f64,
     columns: u32,
     rows: u32,
 }
@@ -61,9 +61,6 @@ pub(super) struct Shape {
 struct Place {
     /// The bucket, unless it is a stray.
     bucket: u32,
-    /// Its neighbours in the list.
-    next: u32,
-    previous: u32,
     /// How often it has left a cell since it changed.
     moves: u32,
     leave: f64,
@@ -85,6 +82,7 @@ impl Shape {
         }
         Self {
             size,
+            inverse: 1.0 / size,
             columns,
             rows,
         }
@@ -97,7 +95,7 @@ impl Shape {
     /// The cell of a coordinate.
     #[inline]
     pub(super) fn cell(&self, coordinate: f64) -> Option<i64> {
-        let place = coordinate / self.size;
+        let place = coordinate * self.inverse;
         // Rounded down: quicker than the function of the C library.
         let cell = place as i64 - i64::from(place < place as i64 as f64);
         (place.abs() < FARTHEST).then_some(cell)
@@ -112,21 +110,33 @@ impl Shape {
 
     /// The buckets of a cell and of the eight cells about it.
     #[inline]
-    fn around(&self, bucket: u32) -> impl Iterator<Item = u32> {
+    fn around(&self, bucket: u32) -> [u32; 9] {
         let Self { columns, rows, .. } = *self;
-        let (column, row) = (bucket & (columns - 1), bucket / columns);
-        let beside = move |place: u32, count: u32| {
-            [
-                place.wrapping_sub(1) & (count - 1),
-                place,
-                (place + 1) & (count - 1),
-            ]
-        };
-        let beside_column = beside(column, columns);
-        beside(row, rows)
-            .into_iter()
-            .flat_map(move |row| beside_column.map(|column| row * columns + column))
+        let (column, row) = (bucket & (columns - 1), bucket >> columns.trailing_zeros());
+        let [left, middle, right] = beside(column, columns);
+        let [below, here, above] = beside(row, rows).map(|row| row * columns);
+        [
+            below + left,
+            below + middle,
+            below + right,
+            here + left,
+            here + middle,
+            here + right,
+            above + left,
+            above + middle,
+            above + right,
+        ]
     }
+}
+
+/// A place among so many, a power of two, and those next to it, all about.
+#[inline]
+fn beside(place: u32, count: u32) -> [u32; 3] {
+    [
+        place.wrapping_sub(1) & (count - 1),
+        place,
+        (place + 1) & (count - 1),
+    ]
 }
 
 impl Grid {
@@ -138,13 +148,11 @@ impl Grid {
         let shape = Shape::of(size, extent(world), radii.len());
         let nowhere = Place {
             bucket: NOWHERE,
-            next: NONE,
-            previous: NONE,
             moves: 0,
             leave: f64::INFINITY,
         };
         Self {
-            first: vec![NONE; shape.buckets()],
+            buckets: Cells::new(shape.buckets()),
             places: vec![nowhere; radii.len()],
             strays: Vec::new(),
             walls: Walls::new(world, &shape, largest + MARGIN * size),
@@ -213,9 +221,9 @@ impl Grid {
     /// One coordinate of a motion from a time on.
     #[inline]
     fn follow(&self, motion: &Motion, axis: usize, time: f64) -> Option<Course> {
-        let [position, velocity] = [&motion.position[axis], &motion.velocity[axis]];
-        let (speed, since) = (velocity.middle(), motion.since.middle());
-        let start = position.middle() + speed * (time - since);
+        let [position, velocity] = [motion.position[axis], motion.velocity[axis]];
+        let (speed, since) = (velocity.value, motion.since.value);
+        let start = position.value + speed * (time - since);
         let cell = self.shape.cell(start)?;
         let size = self.shape.size;
         let (low, high) = (cell as f64 * size, (cell + 1) as f64 * size);
@@ -232,10 +240,10 @@ impl Grid {
             } else {
                 time + way / speed.abs()
             },
-            known: position.radius() + speed.abs() * motion.since.radius(),
-            size: position.magnitude(),
+            known: position.error + speed.abs() * motion.since.error,
+            size: position.value.abs() + position.error,
             speed: speed.abs(),
-            uncertain: velocity.radius(),
+            uncertain: velocity.error,
             since,
         })
     }
@@ -243,66 +251,44 @@ impl Grid {
     /// Moves a disc from its list to another.
     #[inline]
     fn move_to(&mut self, disc: usize, bucket: u32, leave: f64) {
-        self.places[disc].leave = leave;
-        if self.places[disc].bucket == bucket {
+        let place = &mut self.places[disc];
+        place.leave = leave;
+        let before = std::mem::replace(&mut place.bucket, bucket);
+        if before == bucket {
             return;
         }
-        self.unlink(disc);
-        self.places[disc].bucket = bucket;
-        if bucket == NONE {
-            self.strays.push(disc as u32);
-            return;
+        match before {
+            NOWHERE => {}
+            NONE => self.strays.retain(|&stray| stray as usize != disc),
+            _ => self.buckets.remove(before, disc as u32),
         }
-        let next = std::mem::replace(&mut self.first[bucket as usize], disc as u32);
-        self.places[disc].next = next;
-        self.places[disc].previous = NONE;
-        if next != NONE {
-            self.places[next as usize].previous = disc as u32;
+        match bucket {
+            NONE => self.strays.push(disc as u32),
+            _ => self.buckets.insert(bucket, disc as u32),
         }
     }
 
+    /// The walls near a disc that is no stray.
     #[inline]
-    fn unlink(&mut self, disc: usize) {
-        let Place {
-            bucket,
-            next,
-            previous,
-            ..
-        } = self.places[disc];
-        if bucket == NOWHERE {
-            return;
-        }
-        if bucket == NONE {
-            self.strays.retain(|&stray| stray as usize != disc);
-            return;
-        }
-        if previous == NONE {
-            self.first[bucket as usize] = next;
-        } else {
-            self.places[previous as usize].next = next;
-        }
-        if next != NONE {
-            self.places[next as usize].previous = previous;
-        }
+    pub(super) fn walls(&self, disc: usize) -> impl Iterator<Item = u32> {
+        self.walls.near(self.places[disc].bucket)
     }
 
-    /// Visits what a disc that is no stray may meet, walls first.
+    /// Lists the discs near a disc that is no stray, it itself among them.
     #[inline]
-    pub(super) fn visit(&self, disc: usize, mut visit: impl FnMut(Obstacle)) {
-        let bucket = self.places[disc].bucket;
-        for wall in self.walls.near(bucket) {
-            visit(Obstacle::Wall(wall as usize));
+    pub(super) fn list_discs(&self, disc: usize, list: &mut Vec<u32>) {
+        let around = self.shape.around(self.places[disc].bucket);
+        list.resize(around.len() * ROOM, NONE);
+        let mut count = 0;
+        for bucket in around {
+            count = self.buckets.list(bucket, list, count);
         }
-        for bucket in self.shape.around(bucket) {
-            let mut next = self.first[bucket as usize];
-            while next != NONE {
-                visit(Obstacle::Disc(next as usize));
-                next = self.places[next as usize].next;
-            }
+        list.truncate(count);
+        if self.buckets.have_others() {
+            let others = |bucket| self.buckets.others(bucket).iter().copied();
+            list.extend(around.into_iter().flat_map(others));
         }
-        for &stray in &self.strays {
-            visit(Obstacle::Disc(stray as usize));
-        }
+        list.extend(&self.strays);
     }
 }
 

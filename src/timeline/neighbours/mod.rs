@@ -4,13 +4,13 @@
 //! until the disc leaves its cell; a forecast looks no further, and is made anew
 //! then. Both lead to the same impacts.
 
+mod cells;
 mod grid;
 mod walls;
 
 use super::flight::Flights;
 use crate::kernel::Kernel;
-use crate::scalar::Interval;
-use crate::world::{Obstacle, World};
+use crate::world::World;
 use grid::Grid;
 
 /// How the bodies are found that a disc may meet.
@@ -34,22 +34,44 @@ pub(super) enum Neighbours {
     Near(Box<Grid>),
 }
 
-/// How a disc moves: where it is at a time, and how fast, in bounds.
+/// How a disc moves: where it is at a time, and how fast.
 pub(super) struct Motion {
-    pub(super) position: [Interval; 2],
-    pub(super) velocity: [Interval; 2],
-    pub(super) since: Interval,
+    pub(super) position: [Known; 2],
+    pub(super) velocity: [Known; 2],
+    pub(super) since: Known,
+}
+
+/// A number, and how far off that may be.
+#[derive(Clone, Copy)]
+pub(super) struct Known {
+    pub(super) value: f64,
+    pub(super) error: f64,
+}
+
+impl Known {
+    #[inline]
+    fn of<S: Kernel>(number: &S) -> Self {
+        if S::ROUNDS {
+            let (value, error) = (number.to_f64(), 0.0);
+            return Self { value, error };
+        }
+        let hull = number.hull();
+        Self {
+            value: hull.middle(),
+            error: hull.radius(),
+        }
+    }
 }
 
 impl Motion {
     #[inline]
     fn of<S: Kernel>(flights: &Flights<S>, disc: usize) -> Self {
         let body = &flights.world.discs[disc];
-        let hull = |vector: &crate::vec2::Vec2<S>| [vector.x.hull(), vector.y.hull()];
+        let known = |vector: &crate::vec2::Vec2<S>| [&vector.x, &vector.y].map(Known::of);
         Self {
-            position: hull(&body.position),
-            velocity: hull(&body.velocity),
-            since: flights.since[disc].hull(),
+            position: known(&body.position),
+            velocity: known(&body.velocity),
+            since: Known::of(&flights.since[disc]),
         }
     }
 }
@@ -77,7 +99,7 @@ impl Neighbours {
     pub(super) fn update<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
         if let Self::Near(grid) = self {
             let motion = Motion::of(flights, disc);
-            grid.settle(disc, &motion, motion.since.lo());
+            grid.settle(disc, &motion, motion.since.value - motion.since.error);
         }
     }
 
@@ -98,25 +120,27 @@ impl Neighbours {
         }
     }
 
-    /// Collects what a disc may meet, walls first: often they bound how far
-    /// ahead it is worth to look.
+    /// Visits the walls that a disc may meet, and some that it may not.
     #[inline]
-    pub(super) fn collect<S: Kernel>(
+    pub(super) fn visit_walls<S: Kernel>(
         &self,
         world: &World<S>,
         disc: usize,
-        found: &mut Vec<Obstacle>,
+        visit: impl FnMut(u32),
     ) {
-        found.clear();
         match self {
-            Self::Near(grid) if !grid.is_stray(disc) => {
-                grid.visit(disc, |obstacle| {
-                    if !world.is_barred(disc, obstacle) {
-                        found.push(obstacle);
-                    }
-                });
-            }
-            _ => found.extend(world.obstacles(disc)),
+            Self::Near(grid) if !grid.is_stray(disc) => grid.walls(disc).for_each(visit),
+            _ => (0..world.walls.len() as u32).for_each(visit),
+        }
+    }
+
+    /// Lists the discs that a disc may meet, and some that it may not.
+    #[inline]
+    pub(super) fn list_discs<S: Kernel>(&self, world: &World<S>, disc: usize, list: &mut Vec<u32>) {
+        list.clear();
+        match self {
+            Self::Near(grid) if !grid.is_stray(disc) => grid.list_discs(disc, list),
+            _ => list.extend(0..world.discs.len() as u32),
         }
     }
 }
