@@ -54,11 +54,24 @@ pub(super) fn spans<E: Enclosure>(f: &Polynomial<E>) -> Result<Spans<E>, Undecid
 }
 
 /// Encloses a simple zero as narrowly as the coefficients allow, or to as many
-/// bits as they carry.
+/// bits as they carry: by a few bits of them first, then by more.
 pub(super) fn sharpen<E: Enclosure>(span: &mut Span<E::Place>, f: &Polynomial<E>) {
-    let (slope, bits) = (f.derivative(), bits(f));
+    let (mut some, all) = (FIRST_BITS, bits(f));
+    while some < all {
+        // A step from three quarters on would lead beyond what there is.
+        sharpen_to(span, &f.map(|a| a.rough(some)), some * 3 / 4);
+        some *= 2;
+    }
+    sharpen_to(span, f, all);
+}
+
+fn sharpen_to<E: Enclosure>(span: &mut Span<E::Place>, f: &Polynomial<E>, bits: u32) {
+    let slope = f.derivative();
     while !P::<E>::is_narrow([&span.low, &span.high], bits) && span.narrow(f, &slope) {}
 }
+
+/// So many bits a step of the interval Newton method is first taken with.
+const FIRST_BITS: u32 = 128;
 
 type P<E> = <E as Enclosure>::Place;
 

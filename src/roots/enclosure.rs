@@ -55,6 +55,9 @@ pub(super) trait Enclosure: Scalar<Doubt = Undecided> {
 
     /// How many bits the enclosures that come from this number have.
     fn bits(&self) -> u32;
+
+    /// The same to fewer bits.
+    fn rough(&self, bits: u32) -> Self;
 }
 
 impl Place for f64 {
@@ -120,6 +123,10 @@ impl Enclosure for Interval {
 
     fn bits(&self) -> u32 {
         f64::MANTISSA_DIGITS
+    }
+
+    fn rough(&self, _: u32) -> Self {
+        *self
     }
 }
 
@@ -213,5 +220,9 @@ impl Enclosure for Exact {
 
     fn bits(&self) -> u32 {
         self.precision()
+    }
+
+    fn rough(&self, bits: u32) -> Self {
+        self.clone().shortened(bits)
     }
 }
