@@ -12,7 +12,8 @@
 //! zero. So a zero is as close to the true one as faintness allows, for simple
 //! ones usually within an ulp. No tolerance decides anything.
 //!
-//! Zeros that are not normal numbers are not found.
+//! A zero that is too small or too large for a normal number is taken for about
+//! the least or the greatest one.
 
 use std::cmp::Ordering::{self, Equal};
 use std::convert::Infallible;

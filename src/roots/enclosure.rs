@@ -22,8 +22,8 @@ pub(super) trait Place: Clone + Debug {
     /// half way by their exponents.
     fn middle(low: &Self, high: &Self) -> Self;
 
-    /// Beyond this place as seen from another one, as far again; or by a tiny part
-    /// of the place where they are the same.
+    /// Beyond this place as seen from another one, as far again; or a tiny bit
+    /// where they are the same.
     fn beyond(&self, from: &Self, upwards: bool) -> Self;
 
     /// Whether one width is at most half of another.
@@ -82,8 +82,12 @@ impl Place for f64 {
     }
 
     fn beyond(&self, from: &Self, upwards: bool) -> Self {
-        let width = (self - from).abs().max(self.abs() * Self::EPSILON);
-        if upwards { self + width } else { self - width }
+        let width = (self - from).abs();
+        if upwards {
+            (self + width).max(self.next_up())
+        } else {
+            (self - width).min(self.next_down())
+        }
     }
 
     fn is_halved([low, high]: [&Self; 2], [from, to]: [&Self; 2]) -> bool {
