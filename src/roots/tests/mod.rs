@@ -280,6 +280,8 @@ fn size(f: &[BigRational], t: &BigRational) -> BigRational {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
     #[test]
     fn chosen_zeros(
         zeros in prop::collection::vec(place(), 0..5),
