@@ -12,7 +12,8 @@
 //! zero. So a zero is as close to the true one as faintness allows, for simple
 //! ones usually within an ulp. No tolerance decides anything.
 //!
-//! Zeros that are not normal numbers are not found.
+//! A zero that is too small or too large for a normal number is taken for about
+//! the least or the greatest one.
 
 use std::cmp::Ordering::{self, Equal};
 use std::convert::Infallible;
@@ -145,11 +146,11 @@ impl Scaled {
     }
 
     /// Where the sign changes, once, between two places, at the first of which it
-    /// is `before`: by Newton's method, and every few rounds by halves.
+    /// is `before`: by Newton's method as long as its steps shrink, and by halves.
     fn crossing(&self, [mut low, mut high]: [f64; 2], before: Ordering) -> f64 {
         let mut place = middle(low, high);
-        let mut view = self.view(place);
-        for round in 1.. {
+        let (mut view, mut step) = (self.view(place), high - low);
+        loop {
             if !view.serves(place) {
                 view = self.view(place);
             }
@@ -162,10 +163,14 @@ impl Scaled {
             if low.next_up() >= high {
                 break;
             }
-            place = match round % 4 {
-                0 => middle(low, high),
-                _ => advised(view.newton(place, &value), place, [low, high]),
+            let next = advised(view.newton(place, &value), [low, high]);
+            let shorter = (next - place).abs() <= step / 2.0;
+            step = if shorter {
+                (next - place).abs()
+            } else {
+                high - low
             };
+            place = if shorter { next } else { middle(low, high) };
         }
         self.view(low).nearer(low, high)
     }
@@ -215,8 +220,8 @@ impl Value {
         let rest = (product - (head - of_a)) + (a - of_a);
         Self {
             head,
-            tail: self.tail.mul_add(t, lost + rest),
-            slope: self.slope.mul_add(t, self.head),
+            tail: self.tail * t + (lost + rest),
+            slope: self.slope * t + self.head,
         }
     }
 
@@ -229,17 +234,18 @@ impl Value {
     }
 }
 
-/// Where to look next: where Newton's method says; once it stays where it is,
-/// beside; and half way if it leads astray.
-fn advised(next: f64, place: f64, [low, high]: [f64; 2]) -> f64 {
+/// Where to look next: where Newton's method says; beside an end that it stays at;
+/// and half way if it leads astray.
+fn advised(next: f64, [low, high]: [f64; 2]) -> f64 {
+    let is_at = |end: f64| (next - end).abs() <= 4.0 * f64::EPSILON * end;
     if low < next && next < high {
         next
-    } else if (next - place).abs() > 4.0 * f64::EPSILON * place || next.is_nan() {
-        middle(low, high)
-    } else if place == low {
+    } else if is_at(low) {
         low.next_up()
-    } else {
+    } else if is_at(high) {
         high.next_down()
+    } else {
+        middle(low, high)
     }
 }
 

@@ -20,6 +20,9 @@ use super::enclosure::{Enclosure, Place};
 use super::span::{Kind, Span};
 use crate::scalar::Undecided;
 
+/// The bits that places are first enclosed with, where more can be had.
+pub(super) const FIRST_BITS: u32 = 128;
+
 type Spans<E> = Vec<Span<<E as Enclosure>::Place>>;
 
 /// The first descent of a polynomial, if it is to a simple zero: what is not may
@@ -54,9 +57,19 @@ pub(super) fn spans<E: Enclosure>(f: &Polynomial<E>) -> Result<Spans<E>, Undecid
 }
 
 /// Encloses a simple zero as narrowly as the coefficients allow, or to as many
-/// bits as they carry.
+/// bits as they carry: by a few bits of them first, then by more.
 pub(super) fn sharpen<E: Enclosure>(span: &mut Span<E::Place>, f: &Polynomial<E>) {
-    let (slope, bits) = (f.derivative(), bits(f));
+    let (mut some, all) = (FIRST_BITS, bits(f));
+    while some < all {
+        // A step doubles what is known: from there on it would need more bits.
+        sharpen_to(span, &f.map(|a| a.rough(some)), some * 3 / 4);
+        some *= 2;
+    }
+    sharpen_to(span, f, all);
+}
+
+fn sharpen_to<E: Enclosure>(span: &mut Span<E::Place>, f: &Polynomial<E>, bits: u32) {
+    let slope = f.derivative();
     while !P::<E>::is_narrow([&span.low, &span.high], bits) && span.narrow(f, &slope) {}
 }
 

@@ -22,8 +22,8 @@ pub(super) trait Place: Clone + Debug {
     /// half way by their exponents.
     fn middle(low: &Self, high: &Self) -> Self;
 
-    /// Beyond this place as seen from another one, as far again; or by a tiny part
-    /// of the place where they are the same.
+    /// Beyond this place as seen from another one, as far again; or a tiny bit
+    /// where they are the same.
     fn beyond(&self, from: &Self, upwards: bool) -> Self;
 
     /// Whether one width is at most half of another.
@@ -55,6 +55,9 @@ pub(super) trait Enclosure: Scalar<Doubt = Undecided> {
 
     /// How many bits the enclosures that come from this number have.
     fn bits(&self) -> u32;
+
+    /// The same to fewer bits.
+    fn rough(&self, bits: u32) -> Self;
 }
 
 impl Place for f64 {
@@ -79,8 +82,12 @@ impl Place for f64 {
     }
 
     fn beyond(&self, from: &Self, upwards: bool) -> Self {
-        let width = (self - from).abs().max(self.abs() * Self::EPSILON);
-        if upwards { self + width } else { self - width }
+        let width = (self - from).abs();
+        if upwards {
+            (self + width).max(self.next_up())
+        } else {
+            (self - width).min(self.next_down())
+        }
     }
 
     fn is_halved([low, high]: [&Self; 2], [from, to]: [&Self; 2]) -> bool {
@@ -120,6 +127,10 @@ impl Enclosure for Interval {
 
     fn bits(&self) -> u32 {
         f64::MANTISSA_DIGITS
+    }
+
+    fn rough(&self, _: u32) -> Self {
+        *self
     }
 }
 
@@ -213,5 +224,9 @@ impl Enclosure for Exact {
 
     fn bits(&self) -> u32 {
         self.precision()
+    }
+
+    fn rough(&self, bits: u32) -> Self {
+        self.clone().shortened(bits)
     }
 }

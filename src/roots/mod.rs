@@ -53,9 +53,11 @@ pub trait Roots: Scalar {
     /// The first t > 0 at which f is zero and has been positive just before,
     /// after so many `grazes`.
     ///
-    /// Where f is negative at first it has to rise before; whether f(0) is zero
-    /// makes no difference. At most `grazes` zeros at the start are skipped where
-    /// f but touches zero, and none beyond another zero.
+    /// Where f is negative at first it has to rise before. A zero at 0 does not
+    /// count, and what it leaves to know is the next coefficient's sign: whoever
+    /// knows of it by structure gives 0 as the first coefficient. At most `grazes`
+    /// zeros at the start are skipped where f but touches zero, and none beyond a
+    /// descent to what is below.
     ///
     /// # Errors
     ///

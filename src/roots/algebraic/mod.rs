@@ -19,7 +19,7 @@ use std::cmp::Ordering::{self, Equal};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::chain::{first_crossing, sharpen, spans};
+use super::chain::{FIRST_BITS, first_crossing, sharpen, spans};
 use super::enclosure::{Enclosure, Place};
 use super::span::{Kind, Span};
 use super::whole::Whole;
@@ -33,12 +33,9 @@ pub(crate) struct Algebraic {
     /// Where f has one zero, which is simple and above 0.
     span: Span<Dyadic>,
     offset: Dyadic,
-    /// Those to which the zero has been enclosed.
+    /// How many the zero has been enclosed with.
     bits: u32,
 }
-
-/// The bits of an enclosure in whole numbers at first.
-const FIRST_BITS: u32 = 128;
 
 impl Algebraic {
     /// The first descent of a polynomial, as in [`Roots`](super::Roots).
@@ -77,7 +74,7 @@ impl Algebraic {
     }
 
     /// The number itself if it is rational, or else an enclosure.
-    pub(super) fn to_exact(mut self, bits: u32) -> Exact {
+    pub(super) fn into_exact(mut self, bits: u32) -> Exact {
         if let Some(ratio) = self.rational() {
             return Exact::from_rational(ratio + self.offset.to_rational(), bits);
         }

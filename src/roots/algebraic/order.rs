@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
-use super::super::chain::sign_over;
+use super::super::chain::{FIRST_BITS, sign_over};
 use super::super::whole::Whole;
-use super::{Algebraic, FIRST_BITS, enclosed, hull};
+use super::{Algebraic, enclosed, hull};
 use crate::roots::Polynomial;
 use crate::scalar::{Dyadic, Interval, Scalar};
 

@@ -4,8 +4,8 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 
 use num_bigint::BigInt;
 
-use super::super::chain::value_over;
-use super::{Algebraic, FIRST_BITS, enclosed};
+use super::super::chain::{FIRST_BITS, value_over};
+use super::{Algebraic, enclosed};
 use crate::roots::Polynomial;
 use crate::scalar::{Dyadic, Interval, Rounding};
 

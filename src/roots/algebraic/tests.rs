@@ -139,7 +139,7 @@ fn extremes_round_as_they_should() {
 
 #[test]
 fn even_zeros_are_grazes() {
-    // (8 - t²)² (with t = √8), after which (t - 5)(...) would follow.
+    // (8 - t²)².
     let square = [
         vec![ratio(8, 1), ratio(0, 1), ratio(-1, 1)],
         vec![ratio(8, 1), ratio(0, 1), ratio(-1, 1)],
@@ -183,7 +183,7 @@ fn polynomial() -> impl Strategy<Value = Coefficients> {
 const WIDTH: usize = 120;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(ProptestConfig::with_cases(50))]
 
     /// Small coefficients keep zeros that differ by far more than what Sturm's
     /// theorem leaves.

@@ -2,6 +2,8 @@
 
 pub(super) mod sturm;
 
+use std::cmp::Ordering::{Equal, Greater, Less};
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -178,10 +180,7 @@ fn close_zeros_are_told_apart() {
             let first = (ratio(1, 1) - power_of_two(-n), false);
             assert_eq!(rational(&below, 0), Some(first.clone()));
             let sharp = Algebraic::first_descent(&dyadic(&below), 0).unwrap();
-            assert_eq!(
-                sharp.time.order_to(&dyadic(&[first.0]).0[0]),
-                std::cmp::Ordering::Equal
-            );
+            assert_eq!(sharp.time.order_to(&dyadic(&[first.0]).0[0]), Equal);
             assert_eq!(rational(&with(ratio(0, 1)), 0), Some((ratio(1, 1), true)));
             assert!(solved(&with(power_of_two(-2 * n)), 0).is_none());
         }
@@ -216,6 +215,12 @@ fn zeros_of_all_sizes() {
         assert_eq!(rational(&f, 0), expected);
         let sharp = Algebraic::first_descent(&dyadic(&f), 0);
         let time = sharp.map(|sharp| sharp.time.to_f64());
+        let near = f64::descent(&binary64(&f), 0)
+            .unwrap()
+            .map(|near| near.time);
+        let error = time.zip(near).map(|(time, near)| (near / time - 1.0).abs());
+        assert!(error.is_none_or(|error| error <= 4.0 * f64::EPSILON));
+        assert_eq!(time.is_some(), near.is_some());
         assert_eq!(time, sizes.get(first).map(|size| f64::from(*size).exp2()));
     }
 }
@@ -275,6 +280,8 @@ fn size(f: &[BigRational], t: &BigRational) -> BigRational {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
     #[test]
     fn chosen_zeros(
         zeros in prop::collection::vec(place(), 0..5),
@@ -310,6 +317,24 @@ proptest! {
         let found = f64::descent(&binary64(&product(&factors)), 0).unwrap();
         let found = found.map(|found| (BigRational::from_float(found.time).unwrap(), found.graze));
         prop_assert_eq!(found, expected(&zeros, is_positive, 0));
+    }
+
+    /// With coefficients that are enclosed, whose common factor changes nothing.
+    #[test]
+    fn enclosed_coefficients_leave_the_same(f in coefficients()) {
+        let three = Exact::from_integer(3).with_bits(BITS).sqrt();
+        let found = Exact::descent(&exact(&f).map(|a| three.clone() * a), 0);
+        let expected = solved(&f, 0);
+        let is_random = f.iter().any(|a| a.denom().bits() > 10);
+        prop_assert!(found.is_ok() || !is_random);
+        if let Ok(found) = found {
+            prop_assert_eq!(found.is_some(), expected.is_some());
+            if let Some((found, expected)) = found.zip(expected) {
+                prop_assert!(!expected.graze && (found.time.clone() - &expected.time).sign() != Ok(Less));
+                prop_assert!((found.time.clone() - &expected.time).sign() != Ok(Greater));
+                prop_assert!(!is_random || found.time.accuracy().is_some_and(|bits| bits > 200));
+            }
+        }
     }
 
     #[test]
@@ -351,94 +376,6 @@ proptest! {
             if let Some((found, expected)) = found.zip(expected) {
                 prop_assert!((found.time - expected.time.to_f64()).abs() <= found.time * f64::EPSILON);
             }
-        }
-    }
-}
-
-#[test]
-#[ignore]
-fn timing() {
-    let time = |name: &str, n: usize, f: &mut dyn FnMut(usize)| {
-        let start = std::time::Instant::now();
-        for i in 0..n {
-            f(i)
-        }
-        println!("{name}: {:?}", start.elapsed() / n as u32);
-    };
-    let gap = |d: [f64; 2], v: [f64; 2], g: [f64; 2], r: f64| -> Coefficients {
-        let q = |x: f64| BigRational::from_float(x).unwrap();
-        let half = [q(g[0]) / ratio(2, 1), q(g[1]) / ratio(2, 1)];
-        let dot = |a: &[BigRational; 2], b: &[BigRational; 2]| &a[0] * &b[0] + &a[1] * &b[1];
-        let [d, v] = [d, v].map(|x| x.map(q));
-        vec![
-            dot(&d, &d) - q(r) * q(r),
-            dot(&d, &v) * ratio(2, 1),
-            dot(&v, &v) + dot(&d, &half) * ratio(2, 1),
-            dot(&v, &half) * ratio(2, 1),
-            dot(&half, &half),
-        ]
-    };
-    let cases = [
-        ("hit", gap([0.1234, 4.321], [0.3, 0.77], [0.0, -9.81], 1.1)),
-        (
-            "miss",
-            gap([3.1234, 4.321], [-0.3, 2.77], [0.0, -9.81], 1.1),
-        ),
-        (
-            "surely none",
-            gap([3.1234, -4.321], [0.3, -2.77], [0.0, -9.81], 1.1),
-        ),
-        ("close", {
-            let mut f = product(&[
-                linear(ratio(1, 1)),
-                linear(ratio(1, 1)),
-                vec![ratio(1, 1), ratio(0, 1), ratio(1, 1)],
-            ]);
-            f[0] -= power_of_two(-200);
-            f
-        }),
-        ("double", gap([2.0, 8.0], [0.0, 0.0], [0.0, -1.0], 2.0)),
-    ];
-    for (name, f) in &cases {
-        println!("--- {name}");
-        let b = binary64(f);
-        time("f64", 100_000, &mut |_| {
-            std::hint::black_box(f64::descent(std::hint::black_box(&b), 0).unwrap());
-        });
-        let i = interval(f);
-        time("interval", 20_000, &mut |_| {
-            let _ = std::hint::black_box(Interval::descent(std::hint::black_box(&i), 0));
-        });
-        let d = dyadic(f);
-        time("algebraic", 2_000, &mut |_| {
-            std::hint::black_box(Algebraic::first_descent(std::hint::black_box(&d), 0));
-        });
-        let e = exact(f);
-        time("exact rational 256", 500, &mut |_| {
-            let _ = std::hint::black_box(Exact::descent(std::hint::black_box(&e), 0));
-        });
-        for bits in [128, 1024, 8192] {
-            let third = Exact::from_integer(3).with_bits(bits).sqrt();
-            let e = e.map(|a| third.clone() * a);
-            time(&format!("exact balls {bits}"), 500, &mut |_| {
-                let _ = std::hint::black_box(Exact::descent(std::hint::black_box(&e), 0));
-            });
-        }
-        if let Some(found) = Algebraic::first_descent(&d, 0) {
-            let t = found.time;
-            time("to_f64", 2_000, &mut |_| {
-                std::hint::black_box(t.to_f64());
-            });
-            time("order equal", 1_000, &mut |_| {
-                std::hint::black_box(t.order(&t));
-            });
-            let q = dyadic(&[ratio(1, 8), ratio(-3, 4), ratio(5, 2)]);
-            time("sign", 2_000, &mut |_| {
-                std::hint::black_box(t.sign_of(&q));
-            });
-            time("value", 2_000, &mut |_| {
-                std::hint::black_box(t.value_of(&q));
-            });
         }
     }
 }
