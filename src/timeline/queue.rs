@@ -9,6 +9,9 @@ type Group = [u64; WIDTH];
 /// The rank of an empty slot.
 const EMPTY: u64 = rank(f64::INFINITY);
 
+/// What is no slot, but fills the last group of a level: after every limit.
+const NO_SLOT: u64 = u64::MAX;
+
 /// A key for each of a fixed number of slots; an empty slot's is infinite.
 ///
 /// A tree of minima, level by level: to change a key costs as many steps as the
@@ -46,10 +49,12 @@ impl Queue {
     /// Empty slots.
     pub(super) fn new(slots: usize) -> Self {
         let mut levels = Vec::new();
-        let mut groups = slots.max(1);
-        while groups > 1 || levels.is_empty() {
-            groups = groups.div_ceil(WIDTH);
-            levels.push(vec![[EMPTY; WIDTH]; groups]);
+        let mut count = slots.max(1);
+        while count > 1 || levels.is_empty() {
+            let mut groups = vec![[NO_SLOT; WIDTH]; count.div_ceil(WIDTH)];
+            groups.as_flattened_mut()[..count].fill(EMPTY);
+            count = groups.len();
+            levels.push(groups);
         }
         Self {
             levels,
@@ -164,10 +169,12 @@ mod tests {
                     prop_assert_eq!(queue.least_but(slot), least);
                 }
             }
-            let mut found = Vec::new();
-            queue.collect_up_to(limit.into(), &mut found);
-            let expected: Vec<_> = (0..slots).filter(|&slot| list[slot] <= f64::from(limit)).collect();
-            prop_assert_eq!(found, expected);
+            for limit in [limit.into(), f64::INFINITY] {
+                let mut found = Vec::new();
+                queue.collect_up_to(limit, &mut found);
+                let expected: Vec<_> = (0..slots).filter(|&slot| list[slot] <= limit).collect();
+                prop_assert_eq!(found, expected);
+            }
         }
     }
 }
