@@ -126,6 +126,12 @@ impl<S: Kernel> Copy for Flight<'_, S> {}
 /// What acts on a disc in flight, and what holds it. Nothing does where motion
 /// is straight.
 pub trait Pull<S: Scalar>: Clone + Debug + Send + Sync + 'static {
+    /// Bounds of the acceleration, if there is any.
+    #[inline]
+    fn acceleration(&self) -> Option<Vec2<Interval>> {
+        None
+    }
+
     /// Whether anything holds the disc.
     fn is_held(&self) -> bool {
         false

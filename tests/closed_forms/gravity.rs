@@ -8,7 +8,9 @@ use carom::simulation::Algorithm;
 use num_rational::BigRational;
 
 use crate::common::agree::{assert_encloses, assert_end, assert_log, assert_surd};
-use crate::common::{attempt, complete, exactly, in_binary64, lasting, name, names, numbers, ratio};
+use crate::common::{
+    attempt, complete, exactly, in_binary64, lasting, name, names, numbers, ratio,
+};
 
 fn falling(duration: &str) -> SceneBuilder {
     lasting(duration).gravity([0, -2])

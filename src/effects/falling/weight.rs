@@ -7,7 +7,7 @@ use crate::body::{Disc, Wall};
 use crate::detect::Segment;
 use crate::kernel::Pull;
 use crate::roots::Roots;
-use crate::scalar::Scalar;
+use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
 
 /// What pulls a disc, and what holds it.
@@ -105,6 +105,10 @@ impl<S: Roots> Weight<Falling<S>> {
 }
 
 impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
+    fn acceleration(&self) -> Option<Vec2<Interval>> {
+        Some(self.acting.map(Scalar::hull))
+    }
+
     fn is_held(&self) -> bool {
         matches!(self.state, State::Held(..))
     }

@@ -210,17 +210,27 @@ impl Grid {
         if self.radii[disc] > self.largest {
             return None;
         }
-        let x = self.follow(motion, 0, time)?;
-        let y = self.follow(motion, 1, time)?;
-        let leave = x.leave.min(y.leave);
+        let lasts = self.straight_for(motion);
+        let x = self.follow(motion, 0, time, lasts)?;
+        let y = self.follow(motion, 1, time, lasts)?;
+        let leave = x.leave.min(y.leave).min(time + lasts);
         let limit = MARGIN * self.shape.size / 4.0;
         let is_certain = x.error_at(leave) < limit && y.error_at(leave) < limit;
         is_certain.then(|| (self.shape.bucket([x.cell, y.cell]), leave))
     }
 
-    /// One coordinate of a motion from a time on.
+    /// For how long a motion is as good as straight.
     #[inline]
-    fn follow(&self, motion: &Motion, axis: usize, time: f64) -> Option<Course> {
+    fn straight_for(&self, motion: &Motion) -> f64 {
+        if motion.pull == 0.0 {
+            return f64::INFINITY;
+        }
+        (MARGIN * self.shape.size / 8.0 / motion.pull).sqrt()
+    }
+
+    /// One coordinate of a motion from a time on, for some time.
+    #[inline]
+    fn follow(&self, motion: &Motion, axis: usize, time: f64, lasts: f64) -> Option<Course> {
         let [position, velocity] = [motion.position[axis], motion.velocity[axis]];
         let (speed, since) = (velocity.value, motion.since.value);
         let start = position.value + speed * (time - since);
@@ -243,7 +253,11 @@ impl Grid {
             known: position.error + speed.abs() * motion.since.error,
             size: position.value.abs() + position.error,
             speed: speed.abs(),
-            uncertain: velocity.error,
+            uncertain: if motion.pull == 0.0 {
+                velocity.error
+            } else {
+                velocity.error + motion.pull * lasts
+            },
             since,
         })
     }

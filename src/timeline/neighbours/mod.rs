@@ -9,7 +9,9 @@ mod grid;
 mod walls;
 
 use super::flight::Flights;
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, Pull};
+use crate::scalar::Interval;
+use crate::vec2::Vec2;
 use crate::world::World;
 use grid::Grid;
 
@@ -34,10 +36,12 @@ pub(super) enum Neighbours {
     Near(Box<Grid>),
 }
 
-/// How a disc moves: where it is at a time, and how fast.
+/// How a disc moves: where it is at a time, how fast, and how much of that a
+/// coordinate of its acceleration changes at the most.
 pub(super) struct Motion {
     pub(super) position: [Known; 2],
     pub(super) velocity: [Known; 2],
+    pub(super) pull: f64,
     pub(super) since: Known,
 }
 
@@ -55,10 +59,13 @@ impl Known {
             let (value, error) = (number.to_f64(), 0.0);
             return Self { value, error };
         }
-        let hull = number.hull();
+        Self::within(number.hull())
+    }
+
+    fn within(bounds: Interval) -> Self {
         Self {
-            value: hull.middle(),
-            error: hull.radius(),
+            value: bounds.middle(),
+            error: bounds.radius(),
         }
     }
 }
@@ -71,7 +78,40 @@ impl Motion {
         Self {
             position: known(&body.position),
             velocity: known(&body.velocity),
+            pull: 0.0,
             since: Known::of(&flights.since[disc]),
+        }
+    }
+
+    /// How a disc moves from some time on.
+    #[inline]
+    fn at<S: Kernel>(flights: &Flights<S>, disc: usize, time: f64) -> Self {
+        match flights.world.pulls[disc].acceleration() {
+            None => Self::of(flights, disc),
+            Some(pull) => Self::falling(flights, disc, time, &pull),
+        }
+    }
+
+    fn falling<S: Kernel>(
+        flights: &Flights<S>,
+        disc: usize,
+        time: f64,
+        pull: &Vec2<Interval>,
+    ) -> Self {
+        let body = &flights.world.discs[disc];
+        let since = Interval::point(time);
+        let flown = since - flights.since[disc].hull();
+        let [position, velocity] =
+            [&body.position, &body.velocity].map(|vector| vector.map(S::hull));
+        let half = pull.scaled(&Interval::point(0.5));
+        let position = position.moved(&velocity.moved(&half, &flown), &flown);
+        let velocity = velocity.moved(pull, &flown);
+        let known = |Vec2 { x, y }: Vec2<Interval>| [x, y].map(Known::within);
+        Self {
+            position: known(position),
+            velocity: known(velocity),
+            pull: pull.x.magnitude().max(pull.y.magnitude()),
+            since: Known::within(since),
         }
     }
 }
@@ -80,13 +120,13 @@ impl Neighbours {
     /// The bodies near to each other at the start of some flights.
     pub(super) fn new<S: Kernel>(flights: &Flights<S>, phase: BroadPhase) -> Self {
         let world = &flights.world;
-        if phase == BroadPhase::AllPairs || world.discs.len() <= FEW || !S::IS_STRAIGHT {
+        if phase == BroadPhase::AllPairs || world.discs.len() <= FEW {
             return Self::Everything;
         }
         let mut grid = Grid::new(&world.hull());
         for disc in 0..world.discs.len() {
             if world.discs[disc].is_movable() || world.rests_for_ever(disc) {
-                grid.settle(disc, &Motion::of(flights, disc), 0.0);
+                grid.settle(disc, &Motion::at(flights, disc, 0.0), 0.0);
             } else {
                 grid.stray(disc);
             }
@@ -98,8 +138,8 @@ impl Neighbours {
     #[inline]
     pub(super) fn update<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
         if let Self::Near(grid) = self {
-            let motion = Motion::of(flights, disc);
-            grid.settle(disc, &motion, motion.since.value - motion.since.error);
+            let time = flights.since[disc].hull().lo();
+            grid.settle(disc, &Motion::at(flights, disc, time), time);
         }
     }
 
@@ -107,7 +147,7 @@ impl Neighbours {
     /// happens.
     pub(super) fn renew<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize, time: f64) {
         if let Self::Near(grid) = self {
-            grid.renew(disc, &Motion::of(flights, disc), time);
+            grid.renew(disc, &Motion::at(flights, disc, time), time);
         }
     }
 
