@@ -131,6 +131,7 @@ impl Query {
         let flight = |index: usize| Flight {
             disc: &discs[index],
             since: &since[index],
+            pull: &(),
         };
         let Ok(met) = Filtered::meet_discs(&Approach {
             early: flight(0),

@@ -45,6 +45,7 @@ impl Query {
         let flight = |disc| Flight {
             disc,
             since: &since,
+            pull: &(),
         };
         let approach = Approach {
             early: flight(early),
