@@ -9,6 +9,9 @@ mod change;
 mod conservation;
 #[path = "laws/parts.rs"]
 mod parts;
+#[cfg(feature = "json")]
+#[path = "laws/pile.rs"]
+mod pile;
 #[path = "laws/reversal.rs"]
 mod reversal;
 #[path = "laws/scaling.rs"]
