@@ -1,15 +1,13 @@
 //! The ways to find what a disc may meet lead to the same impacts.
 
-mod common;
-
+use crate::common::strategy::cases;
+use crate::common::{attempt, name};
 use carom::arithmetic::Arithmetic;
 use carom::run::{Options, Outcome, Status};
 use carom::scalar::{Exact, Filtered};
 use carom::scene::{Disc, DiscBuilder, Scene};
 use carom::simulation::Algorithm;
 use carom::timeline::BroadPhase;
-use common::strategy::cases;
-use common::{attempt, name};
 use proptest::prelude::*;
 
 const MOST_IMPACTS: u64 = 150;

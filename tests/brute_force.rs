@@ -1,8 +1,6 @@
 //! The exact timeline against programs that share none of its formulas: what
 //! they know is written from the physics, in `brute_force/`.
 
-mod common;
-
 #[path = "brute_force/fractions.rs"]
 mod fractions;
 #[path = "brute_force/gaps.rs"]
@@ -19,9 +17,9 @@ use carom::scene::Scene;
 use num_rational::BigRational;
 use proptest::prelude::*;
 
-use common::agree::rational;
-use common::strategy::{Chain, cases, chain, cluster_with_piston, lossy};
-use common::{exactly, in_binary64, name, names, tolerance};
+use crate::common::agree::rational;
+use crate::common::strategy::{Chain, cases, chain, cluster_with_piston, lossy};
+use crate::common::{exactly, in_binary64, name, names, tolerance};
 
 /// Scenes of a kind, with so many impacts in all that they say something.
 fn compare(scenes: impl Strategy<Value = Scene>, least: usize) {

@@ -1,8 +1,6 @@
 //! Scenes whose impacts can be derived by hand: each test says how, and the
 //! exact timeline must give just that.
 
-mod common;
-
 #[path = "closed_forms/chains.rs"]
 mod chains;
 #[path = "closed_forms/clusters.rs"]

@@ -1,7 +1,6 @@
 //! What binary64 makes of the first impact, held to the bounds that
 //! `meet_circle` and `meet_segment` state, against fractions.
 
-mod common;
 #[path = "../examples/formulas/exact.rs"]
 #[allow(dead_code, reason = "the example uses more of it")]
 mod exact;

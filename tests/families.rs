@@ -5,8 +5,6 @@
 //! says how. All arithmetics are held to it, and where binary64 cannot be
 //! right the test says what it says instead, and from where on.
 
-mod common;
-
 #[path = "families/contacts.rs"]
 mod contacts;
 #[path = "families/corners.rs"]

@@ -1,7 +1,5 @@
 //! Filtered arithmetic against its definition, and what follows from that.
 
-mod common;
-
 #[path = "filtered/fraction.rs"]
 mod fraction;
 #[path = "filtered/predicates.rs"]
@@ -9,12 +7,12 @@ mod predicates;
 #[path = "filtered/reference.rs"]
 mod reference;
 
+use crate::common::strategy::{Masses, boxed, cases, cluster, lossy};
+use crate::common::{attempt, name};
 use carom::run::{Options, Outcome};
 use carom::scalar::Filtered;
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
-use common::strategy::{Masses, boxed, cases, cluster, lossy};
-use common::{attempt, name};
 use proptest::prelude::*;
 use reference::Reference;
 
@@ -172,7 +170,7 @@ mod gases {
         assert_eq!(hash, Hash(HASH));
     }
 
-    /// `cargo test --release --test filtered -- --ignored`: some minutes of
+    /// `cargo test --release --test suite -- --ignored`: some minutes of
     /// fractions, to find the hash.
     #[test]
     #[ignore = "takes minutes: named above"]

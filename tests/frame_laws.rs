@@ -1,8 +1,6 @@
 //! What must hold of the frame algorithms, weaknesses and all: of each frame,
 //! and of scenes in which their weaknesses do not matter.
 
-mod common;
-
 #[path = "frame_laws/agreement.rs"]
 mod agreement;
 #[path = "frame_laws/frames.rs"]

@@ -1,8 +1,6 @@
 //! Laws of mechanics that need no oracle: what is done to a scene must be done
 //! to its run.
 
-mod common;
-
 #[path = "laws/change.rs"]
 mod change;
 #[path = "laws/conservation.rs"]

@@ -10,7 +10,7 @@ use carom::respond::{Normal, Restitution, collide_discs};
 use carom::scalar::{Scalar, Undecided};
 use carom::vec2::Vec2;
 
-use crate::number;
+use super::number;
 
 /// A frame: turned by an angle of rational sine and cosine, mirrored, moved.
 #[derive(Clone, Copy)]

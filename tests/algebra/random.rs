@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
-use crate::whole;
+use super::whole;
 
 /// A way to make a number.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@
 use carom::scalar::Number;
 use carom::scene::{Mass, Restitution, Scene};
 
-use crate::gaps::{Point, Target, closes, dot, minus, moved};
+use super::gaps::{Point, Target, closes, dot, minus, moved};
 
 /// More than any scene of these tests has.
 const MOST_IMPACTS: usize = 1000;

@@ -6,8 +6,8 @@ use carom::vec2::Vec2;
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
+use super::exact::{Query, Truth, fraction};
 use crate::common::strategy::cases;
-use crate::exact::{Query, Truth, fraction};
 use crate::{unit, whole};
 
 /// How the radius of a circle is chosen, given the motion.

@@ -7,8 +7,8 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use proptest::prelude::*;
 
+use super::exact::{fraction, root};
 use crate::common::strategy::{cases, vector};
-use crate::exact::{fraction, root};
 use crate::{unit, whole};
 
 /// A disc that flies over a wall.

@@ -5,7 +5,7 @@ use carom::body::{BodyId, Pair};
 use carom::scene::Scene;
 use proptest::prelude::*;
 
-use crate::change::Change;
+use super::change::Change;
 use crate::common::agree::agree;
 use crate::common::strategy::{cases, cluster_with_piston, lossy};
 use crate::common::{exactly, names, numbers};
