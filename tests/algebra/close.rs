@@ -7,7 +7,7 @@ use carom::scalar::Scalar;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::{root, whole};
+use super::{root, whole};
 
 fn power_of_ten(exponent: u32) -> BigInt {
     BigInt::from(10).pow(exponent)

@@ -5,7 +5,7 @@ use std::cmp::Ordering::{Equal, Greater};
 use carom::algebra::Expression;
 use carom::scalar::Scalar;
 
-use crate::{root, whole};
+use super::{root, whole};
 
 const LENGTH: usize = 1_000_000;
 

@@ -5,7 +5,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use carom::algebra::Expression;
 use carom::scalar::Scalar;
 
-use crate::{number, root, whole};
+use super::{number, root, whole};
 
 /// √(a + b√c)
 fn nested(a: i64, b: i64, c: i64) -> Expression {

@@ -7,8 +7,8 @@ use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
 use super::exact::{Query, Truth, fraction};
+use super::{unit, whole};
 use crate::common::strategy::cases;
-use crate::{unit, whole};
 
 /// How the radius of a circle is chosen, given the motion.
 #[derive(Clone, Copy, Debug)]

@@ -8,8 +8,8 @@ use num_traits::Signed;
 use proptest::prelude::*;
 
 use super::exact::{fraction, root};
+use super::{unit, whole};
 use crate::common::strategy::{cases, vector};
-use crate::{unit, whole};
 
 /// A disc that flies over a wall.
 #[derive(Clone, Debug)]

@@ -10,9 +10,9 @@ use carom::scalar::Filtered;
 use carom::vec2::Vec2;
 use proptest::prelude::*;
 
-use super::common::strategy::cases;
 use super::fraction::{Surd, ratio};
 use super::reference::approach;
+use crate::common::strategy::cases;
 
 /// Two discs: where the second one is from the first, how it moves, the sum of
 /// the radii, and a place far away or near for both.

@@ -9,7 +9,7 @@ use carom::simulation::Algorithm::{self, Multiple, Single, Synchronised, Timelin
 use num_rational::BigRational;
 use proptest::prelude::*;
 
-use crate::ALL;
+use super::ALL;
 use crate::common::agree::{agree, rational};
 use crate::common::strategy::{cases, cluster_with_piston, couple, lonely, lossy, vector};
 use crate::common::{attempt, complete, exactly, lasting, names, numbers};

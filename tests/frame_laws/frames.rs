@@ -10,7 +10,7 @@ use carom::scene::Scene;
 use carom::simulation::{Algorithm, Simulation};
 use proptest::prelude::*;
 
-use crate::ALL;
+use super::ALL;
 use crate::common::agree::contains_zero;
 use crate::common::strategy::{cases, cluster, lossy};
 use crate::common::{attempt, complete, numbers};
