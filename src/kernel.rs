@@ -132,16 +132,30 @@ pub trait Pull<S: Scalar>: Clone + Debug + Send + Sync + 'static {
         None
     }
 
+    /// The walls that hold the disc, which rests on them or slides along one.
+    #[inline]
+    fn holders(&self) -> [Option<usize>; 2] {
+        [None; 2]
+    }
+
     /// Whether anything holds the disc.
     fn is_held(&self) -> bool {
+        self.holders() != [None; 2]
+    }
+
+    /// Whether a wall holds the disc.
+    fn is_held_by(&self, wall: usize) -> bool {
+        self.holders().contains(&Some(wall))
+    }
+
+    /// Whether the disc moves, by construction, at a right angle to the normal of
+    /// what it touched last.
+    fn skims(&self) -> bool {
         false
     }
 
-    /// Whether a wall holds the disc, which rests on it or slides along it.
-    fn is_held_by(&self, wall: usize) -> bool {
-        let _ = wall;
-        false
-    }
+    /// Notes that it does.
+    fn skim(&mut self) {}
 
     /// Notes that the disc touches a wall and does not move towards it: the wall
     /// holds it if it is pulled there.
@@ -322,12 +336,14 @@ pub trait Kernel: Scalar {
         flight.disc.velocity.clone()
     }
 
-    /// When two discs meet again that touch where the later one is, and part.
+    /// When two discs meet again that touch where the later one is, and part, or
+    /// of which one only `skims` the other.
     #[inline]
     fn meet_disc_again(
         approach: &Approach<'_, Self>,
+        skims: bool,
     ) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
-        let _ = approach;
+        let _ = (approach, skims);
         Ok(None)
     }
 
@@ -350,14 +366,15 @@ pub trait Kernel: Scalar {
     }
 
     /// When a disc meets a wall again that it touches, in its interior or at an
-    /// end point, and parts from.
+    /// end point, and parts from, or only `skims`.
     #[inline]
     fn meet_wall_again(
         flight: Flight<'_, Self>,
         wall: &Segment<Self>,
         touched: Option<End>,
+        skims: bool,
     ) -> Result<Option<Met<Self::Time>>, Self::Doubt> {
-        let _ = (flight, wall, touched);
+        let _ = (flight, wall, touched, skims);
         Ok(None)
     }
 

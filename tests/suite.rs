@@ -13,6 +13,7 @@ mod error_bounds;
 mod families;
 mod filtered;
 mod frame_laws;
+mod gravity_laws;
 mod hard_cases;
 mod independent;
 mod laws;

@@ -86,6 +86,26 @@ impl<S: Scalar> Segment<S> {
         }
     }
 
+    /// Whether it is certain that another segment is part of the same line.
+    pub(crate) fn is_in_line_with(&self, other: &Self) -> bool {
+        let across = |vector: &Vec2<S>| self.along.cross(vector).is_surely_zero();
+        across(&other.along) && across(&other.from.minus(&self.from))
+    }
+
+    /// Whether another segment continues this one, in the same line, beyond an
+    /// end point.
+    pub(crate) fn goes_on_in(&self, other: &Self, end: End) -> Result<bool, S::Doubt> {
+        if !self.is_in_line_with(other) {
+            return Ok(false);
+        }
+        let beyond = |point: &Vec2<S>| {
+            let way = point.minus(self.end(end)).dot(&self.along).sign()?;
+            Ok(if end == End::From { way.reverse() } else { way })
+        };
+        let (one, two) = (beyond(&other.from)?, beyond(&other.to)?);
+        Ok(one.max(two) == Greater && one.min(two) != Greater)
+    }
+
     /// Whether it is certain that the perpendicular from a point meets the
     /// segment between its end points.
     pub(crate) fn is_surely_beside(&self, point: &Vec2<S>) -> bool {

@@ -81,6 +81,9 @@ impl<S: Kernel> Flights<S> {
             return met;
         }
         if let Some(feature) = self.contact(disc, obstacle) {
+            if self.skims(disc, feature) {
+                return self.meet_again(disc, obstacle, feature);
+            }
             let place = self.place(disc, feature, &self.since[disc], true);
             if self.world.approaches(disc, feature, &place.other)? {
                 return Ok(Some(self.touching(disc, feature)));
@@ -96,7 +99,8 @@ impl<S: Kernel> Flights<S> {
         }
     }
 
-    /// When a disc gets to the end of an obstacle that holds it, if that does.
+    /// When a disc gets to the end of an obstacle that holds it, if that does. What
+    /// goes on from there in the same line it does not meet before.
     #[inline]
     fn leave_wall(
         &self,
@@ -104,12 +108,15 @@ impl<S: Kernel> Flights<S> {
         obstacle: Obstacle,
     ) -> Option<Result<Option<Meeting<S>>, S::Doubt>> {
         match obstacle {
-            Obstacle::Wall(wall) if self.world.pulls[disc].is_held_by(wall) => {
+            Obstacle::Wall(wall) if !self.world.pulls[disc].is_held_by(wall) => {
+                self.world.slides_along(disc, wall).then_some(Ok(None))
+            }
+            Obstacle::Wall(wall) => {
                 let segment = &self.world.walls[wall].segment;
                 let met = S::leave_wall(self.flight(disc), segment);
                 Some(met.map(|met| self.meeting_at_wall(disc, wall, met)))
             }
-            _ => None,
+            Obstacle::Disc(_) => None,
         }
     }
 
@@ -120,21 +127,37 @@ impl<S: Kernel> Flights<S> {
         obstacle: Obstacle,
         feature: Feature,
     ) -> Result<Option<Meeting<S>>, S::Doubt> {
+        let skims = self.skims(disc, feature);
         match obstacle {
             Obstacle::Disc(other) => {
                 let (early, late) = self.in_order(disc, other);
                 let approach = self.approach(early, late);
-                let met = S::meet_disc_again(&approach)?;
+                let met = S::meet_disc_again(&approach, skims)?;
                 Ok(met.map(|met| self.meeting(late, met, feature)))
             }
             Obstacle::Wall(wall) => {
                 let Wall { segment, corners } = &self.world.walls[wall];
                 let is_touched = |end: &End| feature == Feature::Corner(corners[*end as usize]);
                 let touched = [End::From, End::To].into_iter().find(is_touched);
-                let met = S::meet_wall_again(self.flight(disc), segment, touched)?;
+                let met = S::meet_wall_again(self.flight(disc), segment, touched, skims)?;
                 Ok(self.meeting_at_wall(disc, wall, met))
             }
         }
+    }
+
+    /// Whether a disc has parted from a feature by construction at a right angle
+    /// to the normal.
+    #[inline]
+    fn skims(&self, disc: usize, feature: Feature) -> bool {
+        let skims = |disc: usize, feature| {
+            let body = &self.world.discs[disc];
+            !body.is_movable() || self.world.pulls[disc].skims() && body.last == Some(feature)
+        };
+        let other = match feature {
+            Feature::Disc(other) => skims(other as usize, Feature::Disc(disc as u32)),
+            Feature::Wall(_) | Feature::Corner(_) => true,
+        };
+        !S::IS_STRAIGHT && other && skims(disc, feature)
     }
 
     /// What can quickly be told of that.

@@ -276,6 +276,9 @@ impl<S: Timed> Timeline<S> {
     /// Notes a tangent pass, after which the disc goes on.
     fn pass(&mut self, disc: usize, forecast: &Forecast<S>) -> Result<(), S::Doubt> {
         self.grazes += 1;
+        if !S::IS_STRAIGHT {
+            return self.skim(disc, forecast);
+        }
         if let Some(feature) = forecast.feature() {
             self.note_graze(disc, feature);
             if let Feature::Disc(other) = feature {

@@ -2,7 +2,8 @@
 //!
 //! A disc that touches a wall, does not approach it, and is pulled towards it,
 //! is held by it: from then on it rests or slides, on a parabola as well, until
-//! it collides, or gets to the end of the wall. So is one that an impact without
+//! it collides, or gets to the end of the wall; where another wall goes on in the
+//! same line, it slides on. So is one that an impact without
 //! any restitution leaves there; then all this holds by construction.
 //!
 //! How a disc goes on that is pressed against another disc, or falls around the
@@ -13,9 +14,9 @@ use std::cmp::Ordering::Equal;
 
 use super::accumulation::Accumulation;
 use super::arbiter::Timed;
-use super::forecast::Effort;
+use super::forecast::{Effort, Forecast};
 use super::{Timeline, Watch};
-use crate::body::Feature;
+use crate::body::{End, Feature, Wall};
 use crate::kernel::{Pull, Time};
 use crate::respond::Restitution;
 use crate::world::Obstacle;
@@ -27,9 +28,37 @@ impl<S: Timed> Timeline<S> {
         let Some(forecast) = self.forecasts[disc].take_if(|next| next.is_rest()) else {
             return Ok(false);
         };
-        let (Some(meeting), Some(feature)) = (forecast.meeting(), forecast.feature()) else {
+        let Some(feature) = self.arrive(disc, &forecast) else {
             return Ok(false);
         };
+        if self.has_settled(disc, feature)? {
+            self.renew_forecast(disc)?;
+        } else {
+            self.stop(disc, feature);
+        }
+        Ok(true)
+    }
+
+    /// Follows bodies that pass in tangency, up to where they touch: they may come
+    /// back to each other.
+    pub(super) fn skim(&mut self, disc: usize, forecast: &Forecast<S>) -> Result<(), S::Doubt> {
+        let Some(feature) = self.arrive(disc, forecast) else {
+            return Ok(());
+        };
+        self.flights.world.remember(disc, feature);
+        for changed in self.movable(disc, feature) {
+            self.flights.world.pulls[changed].skim();
+        }
+        for changed in self.movable(disc, feature) {
+            self.renew_forecast(changed)?;
+        }
+        Ok(())
+    }
+
+    /// Takes bodies to where they are forecast to touch. Tells what the disc
+    /// touches there.
+    fn arrive(&mut self, disc: usize, forecast: &Forecast<S>) -> Option<Feature> {
+        let (meeting, feature) = (forecast.meeting()?, forecast.feature()?);
         let time = meeting.time.clone().settled(&self.now);
         self.turn += 1;
         let moment = meeting.moment.filter(|_| !S::ROUNDS).unwrap_or(self.turn);
@@ -37,12 +66,7 @@ impl<S: Timed> Timeline<S> {
             self.flights.bring(changed, &time, moment, self.turn);
         }
         self.now = time.value();
-        if self.has_settled(disc, feature)? {
-            self.renew_forecast(disc)?;
-        } else {
-            self.stop(disc, feature);
-        }
-        Ok(true)
+        Some(feature)
     }
 
     /// Whether it is known how a disc goes on that is pressed against a feature.
@@ -63,6 +87,7 @@ impl<S: Timed> Timeline<S> {
         }
     }
 
+    /// Notes that a wall holds a disc, if it is pulled there.
     fn hold(&mut self, disc: usize, wall: usize) -> Result<(), S::Doubt> {
         let world = &mut self.flights.world;
         world.pulls[disc].rest_on(&mut world.discs[disc], wall, &world.walls)?;
@@ -71,12 +96,37 @@ impl<S: Timed> Timeline<S> {
     }
 
     fn slide_off(&mut self, disc: usize, corner: u32) -> Result<bool, S::Doubt> {
+        if let Some(wall) = self.next_wall(disc, corner)? {
+            self.flights.world.contacts.leave(disc, |_| false);
+            self.flights.world.discs[disc].last = Some(Feature::Wall(wall as u32));
+            return self.hold(disc, wall).map(|()| true);
+        }
         let world = &mut self.flights.world;
         let point = world.corner_position(corner).clone();
         let flies = world.pulls[disc].slide_off(&world.discs[disc], &point)?;
         world.discs[disc].last = Some(Feature::Corner(corner));
         world.contacts.leave(disc, |_| false);
         Ok(flies)
+    }
+
+    /// The wall that goes on in the same line where a disc leaves another one.
+    fn next_wall(&self, disc: usize, corner: u32) -> Result<Option<usize>, S::Doubt> {
+        let world = &self.flights.world;
+        let [Some(holder), _] = world.pulls[disc].holders() else {
+            return Ok(None);
+        };
+        let Wall { segment, corners } = &world.walls[holder];
+        let end = if corners[0] == corner {
+            End::From
+        } else {
+            End::To
+        };
+        for (index, wall) in world.walls.iter().enumerate() {
+            if index != holder && segment.goes_on_in(&wall.segment, end)? {
+                return Ok(Some(index));
+            }
+        }
+        Ok(None)
     }
 
     fn renew_forecast(&mut self, disc: usize) -> Result<(), S::Doubt> {
@@ -106,27 +156,49 @@ impl<S: Timed> Timeline<S> {
         feature: Feature,
     ) -> Result<(), S::Doubt> {
         if let Feature::Wall(wall) = feature
-            && self.is_dead()
+            && self.is_dead(feature)
         {
             self.hold(disc, wall as usize)?;
-            self.rests += u64::from(self.flights.world.pulls[disc].is_held_by(wall as usize));
-            return Ok(());
+        } else {
+            self.release(changed);
         }
-        for disc in changed.into_iter().flatten() {
-            self.flights.world.pulls[disc].let_go();
+        if self.is_dead(feature) {
+            self.slow(changed, feature);
         }
         Ok(())
     }
 
-    /// Whether impacts on walls take all of the normal speed.
-    fn is_dead(&self) -> bool {
-        match &self.flights.world.restitution {
+    fn release(&mut self, changed: [Option<usize>; 2]) {
+        for disc in changed.into_iter().flatten() {
+            self.flights.world.pulls[disc].let_go();
+        }
+    }
+
+    /// Notes of discs that an impact has changed, which took all of the normal
+    /// speed, that the feature holds them, or that they move along it.
+    fn slow(&mut self, changed: [Option<usize>; 2], feature: Feature) {
+        for disc in changed.into_iter().flatten() {
+            let pull = &mut self.flights.world.pulls[disc];
+            match feature {
+                Feature::Wall(wall) if pull.is_held_by(wall as usize) => self.rests += 1,
+                _ => pull.skim(),
+            }
+        }
+    }
+
+    /// Whether impacts on a feature take all of the normal speed.
+    fn is_dead(&self, feature: Feature) -> bool {
+        let kept = match &self.flights.world.restitution {
             Restitution::Newton {
+                discs,
                 walls,
                 elastic_below: None,
-                ..
-            } => matches!(walls.sign(), Ok(Equal)),
-            _ => false,
-        }
+            } => match feature {
+                Feature::Disc(_) => discs,
+                Feature::Wall(_) | Feature::Corner(_) => walls,
+            },
+            _ => return false,
+        };
+        matches!(kept.sign(), Ok(Equal))
     }
 }

@@ -8,7 +8,7 @@ use std::cmp::Ordering::{self, Equal};
 use crate::body::{BodyId, Disc, End, Feature, Mass, Pair, Wall};
 use crate::contacts::Contacts;
 use crate::detect::Segment;
-use crate::kernel::{Flight, Glance, Kernel, Met, Time};
+use crate::kernel::{Flight, Glance, Kernel, Met, Pull, Time};
 use crate::respond::Restitution;
 use crate::vec2::Vec2;
 
@@ -232,7 +232,10 @@ impl<S: Kernel> World<S> {
     ) -> Result<Option<Met<S::Time>>, S::Doubt> {
         let last = self.discs[disc].last;
         let wall = &self.walls[wall];
-        let barred = |end| self.is_end_of(last, wall.corner(end));
+        let barred = |end| match S::IS_STRAIGHT {
+            true => self.is_end_of(last, wall.corner(end)),
+            false => self.slides_to(disc, wall.corner(end)),
+        };
         S::meet_wall(self.flight(disc, since), &wall.segment, barred)
     }
 
@@ -249,6 +252,21 @@ impl<S: Kernel> World<S> {
     fn is_end_of(&self, last: Option<Feature>, corner: u32) -> bool {
         matches!(last, Some(Feature::Wall(wall))
             if self.walls[wall as usize].corners.contains(&corner))
+    }
+
+    /// Whether a corner belongs to a wall that holds a disc: it meets it where it
+    /// leaves that wall.
+    fn slides_to(&self, disc: usize, corner: u32) -> bool {
+        let mut holders = self.pulls[disc].holders().into_iter().flatten();
+        holders.any(|wall| self.walls[wall].corners.contains(&corner))
+    }
+
+    /// Whether a wall is in one line with one that holds a disc, which then does
+    /// not meet it, but may slide on to it.
+    pub(crate) fn slides_along(&self, disc: usize, wall: usize) -> bool {
+        let mut holders = self.pulls[disc].holders().into_iter().flatten();
+        let segment = &self.walls[wall].segment;
+        holders.any(|holder| self.walls[holder].segment.is_in_line_with(segment))
     }
 
     /// What of a wall an encounter touches.

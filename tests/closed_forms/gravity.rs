@@ -233,3 +233,90 @@ fn frames_change_the_velocity_first() {
         &[["21/32", "21/8", "9/16", "-7/4"], ["9", "4", "0", "0"]],
     );
 }
+
+/// It grazes the end (0, 0) of the wall at (-4/5, 3/5), after 1/2, moving at a right
+/// angle to that, by (6/5, 8/5): so it rises to 1 above the wall, and above it comes
+/// down to that where 3/5 + 8/5 s - s² = 1, s = (4 + √6)/5 later.
+#[test]
+fn a_landing_on_a_wall_whose_end_was_grazed() {
+    let scene = falling("3")
+        .disc(Disc::at(["-7/5", "-9/20"], 1).velocity(["6/5", "13/5"]))
+        .wall([0, 0], [9, 0]);
+    let outcome = exactly(&built(scene));
+    assert_eq!(names(&outcome.impacts)[0], "d0 w0");
+    assert_eq!(outcome.grazes, 1);
+    assert_surd(&outcome.impacts[0].time, ["13/10", "1/5"], "6");
+}
+
+/// A fixed disc is grazed in the same place, at a speed of 3/2. From then on the
+/// squared distance is 1 + s² (21/20 - 12/5 s + s²): it is 1 again at s = 6/5 - √39/10.
+#[test]
+fn a_peg_that_is_grazed_and_then_hit() {
+    let scene = falling("11/10")
+        .disc(Disc::at(["-5/4", "-1/4"], "1/2").velocity(["9/10", "11/5"]))
+        .disc(Disc::at([0, 0], "1/2").infinite_mass());
+    let outcome = exactly(&built(scene));
+    assert_eq!(names(&outcome.impacts), ["d0 d1"]);
+    assert_eq!(outcome.grazes, 1);
+    assert_surd(&outcome.impacts[0].time, ["17/10", "-1/10"], "39");
+}
+
+/// As off a table, of which the side is a wall too, named first: it is not in the
+/// way.
+#[test]
+fn off_a_table_with_a_side() {
+    let scene = built(
+        falling("9/2")
+            .disc(Disc::at([-6, 5], 1).velocity([3, 0]))
+            .wall([0, 4], [0, 1])
+            .wall([-20, 4], [0, 4])
+            .wall([-20, 0], [20, 0])
+            .restitution(newton("0")),
+    );
+    let outcome = exactly(&scene);
+    assert_log(&outcome, &[("4", "d0 w2")]);
+    assert_eq!(outcome.rests, 2);
+    assert_end(&outcome, &[["15/2", "1", "3", "0"]]);
+}
+
+/// A floor of three pieces in one line, of which the last two overlap: at a speed of
+/// 1, too slow to fly off at an edge, it slides from -2 to 5, and back to -8.
+#[test]
+fn along_a_floor_of_pieces() {
+    let scene = falling("20")
+        .disc(Disc::at([-2, 1], 1).velocity([1, 0]))
+        .wall([-20, 0], [0, 0])
+        .wall([3, 0], [0, 0])
+        .wall([1, 0], [9, 0])
+        .wall([6, 0], [6, 5]);
+    let outcome = exactly(&built(scene));
+    assert_log(&outcome, &[("7", "d0 w3")]);
+    assert_eq!(outcome.rests, 1);
+    assert_end(&outcome, &[["-8", "1", "-1", "0"]]);
+}
+
+/// At rest beside a wall, it falls along it, past its end: no impact, ever.
+#[test]
+fn along_a_wall_and_past_its_end() {
+    let scene = falling("5")
+        .disc(Disc::at([1, 0], 1).velocity(["0", "-1/3"]))
+        .wall(["0", "5"], ["0", "-7/3"]);
+    let scene = built(scene);
+    assert_log(&exactly(&scene), &[]);
+    assert!(in_binary64(&scene).impacts.is_empty());
+}
+
+/// It hits the oblique ceiling along (4, 3) at a right angle, and without restitution:
+/// there it stops, to fall anew. The ceiling is 1/2 away from it along (-3, 4)/5, in
+/// which direction gravity is -8/5.
+#[test]
+fn a_dead_stop_at_a_ceiling() {
+    let scene = falling("2")
+        .disc(Disc::at([0, 0], 1).velocity(["-6/5", "8/5"]))
+        .wall(["-49/10", "-18/10"], ["31/10", "42/10"])
+        .restitution(newton("0"));
+    let outcome = exactly(&built(scene));
+    assert_eq!(names(&outcome.impacts), ["d0 w0"]);
+    // 2 s - 4/5 s² = 1/2.
+    assert_surd(&outcome.impacts[0].time, ["5/4", "-1/4"], "15");
+}

@@ -20,9 +20,6 @@ use crate::detect::Encounter;
 use crate::roots::{Polynomial, Roots};
 use crate::scalar::Scalar;
 
-/// A quartic touches zero no more often without getting below.
-const MOST_GRAZES: usize = 2;
-
 type Met<S> = Result<Option<Encounter<S>>, <S as Scalar>::Doubt>;
 
 /// When a point meets a circle of radius `reach`.
@@ -80,14 +77,8 @@ fn powers<S: Scalar>(arc: &Arc<S>) -> [S; 4] {
     ]
 }
 
-/// A tangent pass counts if no impact follows: one that does must not be taken for
-/// the pass.
 fn descent<S: Roots>(coefficients: [S; 5]) -> Met<S> {
-    let gap = Polynomial(coefficients);
-    let mut met = S::descent(&gap, 0)?;
-    if met.as_ref().is_some_and(|met| met.graze) {
-        met = S::descent(&gap, MOST_GRAZES)?.or(met);
-    }
+    let met = S::descent(&Polynomial(coefficients), 0)?;
     Ok(met.map(|met| Encounter {
         graze: met.graze,
         ..Encounter::impact(met.time)

@@ -55,30 +55,39 @@ impl<S: Roots> Kernel for Falling<S> {
         Ok(met.map(|met| Met::after(approach.late.since, met)))
     }
 
-    fn meet_disc_again(approach: &Approach<'_, Self>) -> Result<Option<Met<Self>>, S::Doubt> {
+    fn meet_disc_again(
+        approach: &Approach<'_, Self>,
+        skims: bool,
+    ) -> Result<Option<Met<Self>>, S::Doubt> {
         let Some(arc) = relative(approach) else {
             return Ok(None);
         };
-        let met = circle::meet_again(&arc)?;
+        let met = match skims {
+            true => circle::leave(&arc)?,
+            false => circle::meet_again(&arc)?,
+        };
         Ok(met.map(|met| Met::after(approach.late.since, met)))
     }
 
     fn meet_wall(
         flight: Flight<'_, Self>,
         wall: &Segment<Self>,
-        _: impl Fn(End) -> bool,
+        barred: impl Fn(End) -> bool,
     ) -> Result<Option<Met<Self>>, S::Doubt> {
-        meet_wall(flight, wall, Touched::Nothing)
+        meet_wall(flight, wall, Touched::Nothing, barred)
     }
 
     fn meet_wall_again(
         flight: Flight<'_, Self>,
         wall: &Segment<Self>,
         touched: Option<End>,
+        skims: bool,
     ) -> Result<Option<Met<Self>>, S::Doubt> {
-        let is_off = flight.pull.is_off();
-        let touched = touched.map_or(Touched::Interior, |end| Touched::End { end, is_off });
-        meet_wall(flight, wall, touched)
+        let touched = match touched {
+            Some(end) => Touched::End { end, skims },
+            None => Touched::Interior { skims },
+        };
+        meet_wall(flight, wall, touched, |_| false)
     }
 
     fn leave_wall(
@@ -135,8 +144,10 @@ fn meet_wall<S: Roots>(
     flight: Flight<'_, Falling<S>>,
     wall: &Segment<Falling<S>>,
     touched: Touched,
+    barred: impl Fn(End) -> bool,
 ) -> Result<Option<Met<Falling<S>>>, S::Doubt> {
-    let met = segment::meet(&way(flight, wall), &flight.disc.radius, wall, touched)?;
+    let way = way(flight, wall);
+    let met = segment::meet(&way, &flight.disc.radius, wall, touched, barred)?;
     Ok(met.map(|met| Met::after(flight.since, met)))
 }
 

@@ -22,43 +22,46 @@ use crate::vec2::Vec2;
 type Met<S> = Result<Option<Encounter<S>>, <S as Scalar>::Doubt>;
 
 /// What of a wall a disc touches by construction, and does not approach.
+/// Where the disc `skims` it, it moves at a right angle to the normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Touched {
     Nothing,
-    Interior,
-    /// An end point; the disc may have slid off there, so that it moves at a right
-    /// angle to the normal.
-    End {
-        end: End,
-        is_off: bool,
-    },
+    Interior { skims: bool },
+    End { end: End, skims: bool },
 }
 
 impl Touched {
-    /// Whether it is an end point, and the disc has slid off there.
+    /// Whether it is an end point, and if so whether the disc skims it.
     fn at(self, point: End) -> Option<bool> {
         match self {
-            Self::End { end, is_off } if end == point => Some(is_off),
+            Self::End { end, skims } if end == point => Some(skims),
             _ => None,
         }
     }
 }
 
 /// When a disc, of which the way is seen from the wall's first end point, meets
-/// a wall.
+/// a wall. It is known not to meet the end points for which `barred` holds.
 pub(super) fn meet<S: Roots>(
     arc: &Arc<S>,
     radius: &S,
     wall: &Segment<S>,
     touched: Touched,
+    barred: impl Fn(End) -> bool,
 ) -> Met<S> {
     let way = Way::new(arc, radius, wall);
+    let sides = [Less, Greater];
+    for side in sides {
+        if way.parts_for_good(side, touched)? {
+            return Ok(None);
+        }
+    }
     let mut first = None;
-    for side in [Less, Greater] {
+    for side in sides {
         let met = way.meet_line(side, touched)?;
         first = earlier(first, met)?;
     }
-    for end in [End::From, End::To] {
+    for end in [End::From, End::To].into_iter().filter(|end| !barred(*end)) {
         let met = way.meet_end(end, touched.at(end), first.as_ref())?;
         first = earlier(first, met)?;
     }
@@ -113,19 +116,38 @@ impl<'a, S: Roots> Way<'a, S> {
         Gap { a, b, c: c - reach }
     }
 
+    /// The gap on one side, and its sign: with what of them is known where the disc
+    /// touches the interior.
+    fn gap_known(&self, side: Ordering, touched: Touched) -> Result<(Gap<S>, Ordering), S::Doubt> {
+        let gap = match touched {
+            Touched::Interior { skims: true } => self.gap(side).turning(),
+            _ => self.gap(side),
+        };
+        let sign = match touched {
+            Touched::Interior { .. } if self.side[0].sign()? == side => Equal,
+            _ => gap.c.sign()?,
+        };
+        Ok((gap, sign))
+    }
+
+    /// Whether the disc is on one side, and never comes nearer to the line: so it
+    /// does not meet the end points either.
+    fn parts_for_good(&self, side: Ordering, touched: Touched) -> Result<bool, S::Doubt> {
+        let (gap, sign) = self.gap_known(side, touched)?;
+        Ok(sign != Less && gap.b.sign()? != Less && gap.a.sign()? != Less)
+    }
+
     /// When the disc, coming from one side, touches the interior.
     fn meet_line(&self, side: Ordering, touched: Touched) -> Met<S> {
-        let gap = self.gap(side);
-        let is_touched = touched == Touched::Interior && self.side[0].sign()? == side;
-        let state = if is_touched { Equal } else { gap.c.sign()? };
-        let met = match state {
+        let (gap, sign) = self.gap_known(side, touched)?;
+        let met = match sign {
             Greater => gap.descent()?,
             Equal => gap.descent_from_contact()?,
             Less => self.descent_from_within(&gap, side)?,
         };
         let Some(met) = met else { return Ok(None) };
         match touched {
-            Touched::Interior if is_touched && met.overlap => return Ok(Some(met)),
+            Touched::Interior { .. } if sign == Equal && met.overlap => return Ok(Some(met)),
             // An end point is touched, not the interior.
             Touched::End { .. } if met.overlap => return Ok(None),
             _ => {}
@@ -189,6 +211,12 @@ impl<'a, S: Roots> Way<'a, S> {
 }
 
 impl<S: Scalar> Gap<S> {
+    /// The gap of a disc that neither approaches nor parts at first.
+    fn turning(self) -> Self {
+        let b = S::from_integer(0);
+        Self { b, ..self }
+    }
+
     /// When what is above zero comes to zero.
     fn descent(&self) -> Met<S> {
         let bends = self.a.sign()?;

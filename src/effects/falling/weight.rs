@@ -18,6 +18,7 @@ pub struct Weight<S> {
     /// The acceleration if nothing holds it.
     gravity: Vec2<S>,
     state: State,
+    skims: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,8 +28,6 @@ enum State {
     Free,
     /// Held by a wall, or in the groove of two.
     Held(usize, Option<usize>),
-    /// Free since it has slid off at the end of a wall.
-    Off,
 }
 
 impl<S: Scalar> Weight<S> {
@@ -44,18 +43,13 @@ impl<S: Scalar> Weight<S> {
             acting: gravity.clone(),
             gravity,
             state,
+            skims: false,
         }
     }
 
     /// Whether nothing but gravity acts.
     pub(super) fn is_free(&self) -> bool {
-        matches!(self.state, State::Free | State::Off)
-    }
-
-    /// Whether the disc moves at a right angle to the normal of the corner that
-    /// it has parted from.
-    pub(super) fn is_off(&self) -> bool {
-        self.state == State::Off
+        self.state == State::Free
     }
 }
 
@@ -75,8 +69,16 @@ fn away<S: Scalar>(
     })
 }
 
-/// The part of a vector along a wall: all of it, if it is exactly so.
+/// The part of a vector along a wall: all of it, if it is exactly so, and exactly
+/// so along an axis.
 fn along<S: Scalar>(vector: &Vec2<S>, wall: &Segment<S>) -> Vec2<S> {
+    let zero = || S::from_integer(0);
+    if wall.along.x.is_surely_zero() {
+        return Vec2::new(zero(), vector.y.clone());
+    }
+    if wall.along.y.is_surely_zero() {
+        return Vec2::new(vector.x.clone(), zero());
+    }
     let across = vector.cross(&wall.along) / &wall.length_squared;
     vector.moved(&wall.along.perpendicular(), &across)
 }
@@ -109,12 +111,19 @@ impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
         Some(self.acting.map(Scalar::hull))
     }
 
-    fn is_held(&self) -> bool {
-        matches!(self.state, State::Held(..))
+    fn holders(&self) -> [Option<usize>; 2] {
+        match self.state {
+            State::Held(wall, other) => [Some(wall), other],
+            State::Fixed | State::Free => [None; 2],
+        }
     }
 
-    fn is_held_by(&self, wall: usize) -> bool {
-        matches!(self.state, State::Held(one, other) if one == wall || other == Some(wall))
+    fn skims(&self) -> bool {
+        self.skims
+    }
+
+    fn skim(&mut self) {
+        self.skims = true;
     }
 
     fn rest_on(
@@ -128,6 +137,7 @@ impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
             self.let_go();
             return Ok(());
         }
+        self.skims = false;
         disc.velocity = along(&disc.velocity, segment);
         self.acting = along(&self.gravity, segment);
         let before = std::mem::replace(&mut self.state, State::Held(wall, None));
@@ -138,6 +148,7 @@ impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
     }
 
     fn let_go(&mut self) {
+        self.skims = false;
         if self.state != State::Fixed {
             self.acting = self.gravity.clone();
             self.state = State::Free;
@@ -150,7 +161,7 @@ impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
         corner: &Vec2<Falling<S>>,
     ) -> Result<bool, S::Doubt> {
         self.let_go();
-        self.state = State::Off;
+        self.skim();
         let offset = disc.position.minus(corner);
         let bend = disc.velocity.norm_squared() + offset.dot(&self.gravity);
         let drift = disc.velocity.dot(&self.gravity);
