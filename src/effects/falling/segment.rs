@@ -35,6 +35,11 @@ pub(super) enum Touched {
 }
 
 impl Touched {
+    /// The interior or an end point, that the disc may have slid off.
+    pub(super) fn of(end: Option<End>, is_off: bool) -> Self {
+        end.map_or(Self::Interior, |end| Self::End { end, is_off })
+    }
+
     /// Whether it is an end point, and the disc has slid off there.
     fn at(self, point: End) -> Option<bool> {
         match self {
@@ -65,8 +70,36 @@ pub(super) fn meet<S: Roots>(
     Ok(first)
 }
 
+/// When a disc, seen the same way, gets to the end of a wall along which it moves.
+pub(super) fn leave<S: Roots>(arc: &Arc<S>, wall: &Segment<S>) -> Met<S> {
+    let [c, b, a] = arc.powers().map(|power| power.dot(&wall.along));
+    let left = Gap {
+        a: -a.clone(),
+        b: -b.clone(),
+        c: wall.length_squared.clone() - &c,
+    };
+    let mut first = None;
+    for (end, gap) in [(End::To, left), (End::From, Gap { a, b, c })] {
+        let met = gap.fall()?.map(|met| met.at(end));
+        first = earlier(first, met)?;
+    }
+    Ok(first.map(|met| Encounter { rest: true, ..met }))
+}
+
+/// How long a disc, seen the same way, bounces on a wall that it has just hit, if
+/// each impact leaves so much of its speed.
+pub(super) fn bouncing<S: Scalar>(arc: &Arc<S>, wall: &Segment<S>, kept: &S) -> Option<S> {
+    let [_, b, a] = arc.powers().map(|power| power.cross(&wall.along));
+    let falls = matches!(
+        (a.sign(), b.sign()),
+        (Ok(Less), Ok(Greater)) | (Ok(Greater), Ok(Less))
+    );
+    let flown = -b / a;
+    falls.then(|| flown / (S::from_integer(1) - kept))
+}
+
 /// The first of two meetings.
-pub(super) fn earlier<S: Scalar>(one: Option<Encounter<S>>, other: Option<Encounter<S>>) -> Met<S> {
+fn earlier<S: Scalar>(one: Option<Encounter<S>>, other: Option<Encounter<S>>) -> Met<S> {
     Ok(match (one, other) {
         (Some(one), Some(other)) => match other.delay.compare(&one.delay)? {
             Less => Some(other),
@@ -87,10 +120,10 @@ struct Way<'a, S> {
 
 /// The distance from a line on one of its sides, less the radius, all times the
 /// wall's length: a t² + b t + c.
-pub(super) struct Gap<S> {
-    pub(super) a: S,
-    pub(super) b: S,
-    pub(super) c: S,
+struct Gap<S> {
+    a: S,
+    b: S,
+    c: S,
 }
 
 impl<'a, S: Roots> Way<'a, S> {
@@ -210,7 +243,7 @@ impl<S: Scalar> Gap<S> {
     }
 
     /// When what is at zero, and does not fall, comes back to zero.
-    pub(super) fn descent_from_contact(&self) -> Met<S> {
+    fn descent_from_contact(&self) -> Met<S> {
         let (speed, bends) = (self.b.sign()?, self.a.sign()?);
         Ok(match (speed, bends) {
             (Less, _) => Some(Encounter::now()),
@@ -233,7 +266,7 @@ impl<S: Scalar> Gap<S> {
     }
 
     /// When what is not below zero gets there.
-    pub(super) fn fall(&self) -> Met<S> {
+    fn fall(&self) -> Met<S> {
         let met = match self.c.sign()? {
             Greater => self.descent()?,
             Less | Equal => self.descent_from_contact()?,
