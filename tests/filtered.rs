@@ -2,12 +2,17 @@
 
 mod common;
 
+#[path = "filtered/falling.rs"]
+mod falling;
 #[path = "filtered/fraction.rs"]
 mod fraction;
 #[path = "filtered/predicates.rs"]
 mod predicates;
 #[path = "filtered/reference.rs"]
 mod reference;
+#[path = "../src/roots/tests/sturm.rs"]
+#[allow(dead_code, reason = "other tests use more of it")]
+mod sturm;
 
 use carom::run::{Options, Outcome};
 use carom::scalar::Filtered;

@@ -8,7 +8,7 @@ use crate::detect::{Encounter, Segment, meet_circle};
 use crate::effects::falling::arc::Arc;
 use crate::effects::falling::{circle, segment};
 use crate::filtered::Line;
-use crate::scalar::{Interval, Undecided};
+use crate::scalar::{Interval, Scalar, Undecided};
 use crate::vec2::Vec2;
 
 type Met = Result<Option<Encounter<Interval>>, Undecided>;
@@ -21,7 +21,7 @@ pub(super) fn meeting(course: &Course) -> Met {
         Course::Wall(disc, line, touched) => {
             let wall = wall(line);
             segment::meet(
-                &seen_from(disc, &wall.from),
+                &seen_from(disc, line.from),
                 &point(disc.radius),
                 &wall,
                 *touched,
@@ -29,13 +29,13 @@ pub(super) fn meeting(course: &Course) -> Met {
         }
         Course::Leaving(disc, line) => {
             let wall = wall(line);
-            segment::leave(&seen_from(disc, &wall.from), &wall)
+            segment::leave(&seen_from(disc, line.from), &wall)
         }
     }
 }
 
 fn discs([early, late]: &[Body; 2], parted: bool) -> Met {
-    let waited = point(late.since) - point(early.since);
+    let waited = distance(late.since, early.since);
     let (start, end) = (way(early), way(late));
     let offset = end.offset.minus(&start.at(&waited));
     let speed = start.velocity.moved(&vector(early.pull), &waited);
@@ -44,7 +44,7 @@ fn discs([early, late]: &[Body; 2], parted: bool) -> Met {
         // In relation to each other they move straight.
         return match parted {
             true => Ok(None),
-            false => meet_circle(&offset, &velocity, &reach(early, late)),
+            false => meet_straight(&offset, &velocity, &reach(early, late)),
         };
     }
     let pull = vector(late.pull).minus(&vector(early.pull));
@@ -53,6 +53,18 @@ fn discs([early, late]: &[Body; 2], parted: bool) -> Met {
         true => circle::meet_again(&arc),
         false => circle::meet(&arc, &reach(early, late)),
     }
+}
+
+/// That they pass each other may be plain even if it is not whether they approach.
+fn meet_straight(offset: &Vec2<Interval>, velocity: &Vec2<Interval>, reach: &Interval) -> Met {
+    meet_circle(offset, velocity, reach).or_else(|doubt| {
+        let (moment, strength) = (
+            offset.cross(velocity),
+            velocity.norm_squared() * reach.square(),
+        );
+        let passes = moment.square().lo() > strength.hi();
+        if passes { Ok(None) } else { Err(doubt) }
+    })
 }
 
 fn reach(one: &Body, other: &Body) -> Interval {
@@ -64,14 +76,33 @@ fn way(disc: &Body) -> Arc<Interval> {
     Arc::new(position, velocity, &pull)
 }
 
-fn seen_from(disc: &Body, place: &Vec2<Interval>) -> Arc<Interval> {
-    way(disc).seen_from(place)
+fn seen_from(disc: &Body, place: [f64; 2]) -> Arc<Interval> {
+    Arc {
+        offset: difference(disc.position, place),
+        ..way(disc)
+    }
+}
+
+/// The difference of two vectors, a point where it is a number of binary64.
+fn difference([x, y]: [f64; 2], [from_x, from_y]: [f64; 2]) -> Vec2<Interval> {
+    Vec2::new(distance(x, from_x), distance(y, from_y))
+}
+
+/// By Knuth's two-sum, which tells whether a difference rounds.
+fn distance(to: f64, from: f64) -> Interval {
+    let rounded = to - from;
+    let part = rounded - to;
+    let error = (to - (rounded - part)) - (from + part);
+    if error == 0.0 {
+        point(rounded)
+    } else {
+        point(to) - point(from)
+    }
 }
 
 fn wall(line: &Line) -> Segment<Interval> {
     let [from, to] = [line.from, line.to].map(vector);
-    let along = to.minus(&from);
-    Segment::new(from, to, along)
+    Segment::new(from, to, difference(line.to, line.from))
 }
 
 fn vector([x, y]: [f64; 2]) -> Vec2<Interval> {
