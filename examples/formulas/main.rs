@@ -116,7 +116,11 @@ fn filtered(query: &Query) -> Option<f64> {
     };
     let discs = [disc([0.0; 2], [0.0; 2]), disc(query.offset, query.velocity)];
     let since = &Filtered::new(0.0);
-    let [early, late] = discs.each_ref().map(|disc| Flight { disc, since });
+    let [early, late] = discs.each_ref().map(|disc| Flight {
+        disc,
+        since,
+        pull: &(),
+    });
     let Ok(met) = Filtered::meet_discs(&Approach {
         early,
         late,

@@ -23,7 +23,7 @@ impl Roots for Exact {
         let bits = f.0.iter().map(Self::precision).max().unwrap_or_default();
         let descent = match whole(f) {
             Some(whole) => Algebraic::first_descent(&whole, grazes).map(|descent| Descent {
-                time: descent.time.to_exact(bits),
+                time: descent.time.into_exact(bits),
                 graze: descent.graze,
             }),
             None => crossing(f)?.map(|span| enclosed(span, f)),

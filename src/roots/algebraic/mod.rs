@@ -115,7 +115,7 @@ impl Algebraic {
     }
 
     /// The number itself if it is rational, or else an enclosure.
-    pub(super) fn to_exact(mut self, bits: u32) -> Exact {
+    pub(super) fn into_exact(mut self, bits: u32) -> Exact {
         if let Some(ratio) = self.rational() {
             return Exact::from_rational(ratio + self.offset.to_rational(), bits);
         }

@@ -190,10 +190,10 @@ impl<'a> Way<'a> {
     fn meet_line(&self, side: Ordering) -> Option<Meeting> {
         let is_touched = self.touched == Touched::Interior && self.side.0[0].sign() == side;
         let delay = match self.state(side) {
-            _ if is_touched => self.from_contact(side),
+            _ if is_touched => self.after_contact(side),
             Greater => self.entry(side),
-            Equal => self.from_contact(side),
-            Less => self.from_within(side),
+            Equal => self.after_contact(side),
+            Less => self.after_overlap(side),
         }?;
         match (self.touched, delay.time()) {
             (Touched::Interior, None) if is_touched => return Some(Meeting::of(delay)),
@@ -224,20 +224,20 @@ impl<'a> Way<'a> {
         self.entries.iter().find(is_there).cloned().map(Delay::from)
     }
 
-    fn from_contact(&self, side: Ordering) -> Option<Delay> {
+    fn after_contact(&self, side: Ordering) -> Option<Delay> {
         fall_from_contact(&self.side.on(side))
     }
 
     /// When a disc comes back that is nearer to the line than its radius, or on
     /// the other side. If it overlaps the wall, that is now, unless it parts.
-    fn from_within(&self, side: Ordering) -> Option<Delay> {
+    fn after_overlap(&self, side: Ordering) -> Option<Delay> {
         let is_here = self.side.0[0].sign() == side && matches!(self.nearest_now(), Foot::At(_));
         if is_here && self.side.on(side).0[1].sign() == Less {
             return Some(Delay::Inside);
         }
         let back = self.entry(side);
         if is_here && back.is_none() {
-            return self.from_contact(side);
+            return self.after_contact(side);
         }
         back
     }
