@@ -159,7 +159,7 @@ impl Arithmetic for f64 {
 
 impl Arithmetic for Filtered {
     const NAME: &'static str = "filtered";
-    const FALL: Option<Fall<Self>> = None;
+    const FALL: Option<Fall<Self>> = Some(effects::fall);
     const WARP: Warp<Self> = effects::FILTERED;
     /// The numbers can be stored, with all their bits.
     const RANGE: Option<i32> = Some(1000);

@@ -1,11 +1,16 @@
 //! Filtered arithmetic against its definition, and what follows from that.
 
+#[path = "filtered/falling.rs"]
+mod falling;
 #[path = "filtered/fraction.rs"]
 mod fraction;
 #[path = "filtered/predicates.rs"]
 mod predicates;
 #[path = "filtered/reference.rs"]
 mod reference;
+#[path = "../src/roots/tests/sturm.rs"]
+#[allow(dead_code, reason = "other tests use more of it")]
+mod sturm;
 
 use crate::common::strategy::{Masses, boxed, cases, cluster, lossy};
 use crate::common::{attempt, name};

@@ -73,6 +73,20 @@ pub fn overlap_segment<S: Scalar>(
     }
 }
 
+impl<S> Overlap<S> {
+    /// The same overlap in another arithmetic.
+    pub(crate) fn map<T>(&self, make: impl Fn(&S) -> T) -> Overlap<T> {
+        let separation = self.separation.as_ref();
+        Overlap {
+            end: self.end,
+            separation: separation.map(|separation| Separation {
+                direction: separation.direction.map(&make),
+                lack: make(&separation.lack),
+            }),
+        }
+    }
+}
+
 impl<S: Scalar> Overlap<S> {
     /// The overlap, which is decided, of a circle of radius `reach` and a point
     /// at `offset` from its centre.

@@ -21,9 +21,9 @@ pub(super) struct Ray {
 
 /// The two end points of a wall.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
-    pub(super) from: [f64; 2],
-    pub(super) to: [f64; 2],
+pub(crate) struct Line {
+    pub(crate) from: [f64; 2],
+    pub(crate) to: [f64; 2],
 }
 
 /// What leads to a meeting.
@@ -123,7 +123,7 @@ impl Line {
     }
 
     #[inline]
-    pub(super) fn end(&self, end: End) -> [f64; 2] {
+    pub(crate) fn end(&self, end: End) -> [f64; 2] {
         match end {
             End::From => self.from,
             End::To => self.to,
@@ -131,7 +131,7 @@ impl Line {
     }
 
     /// The vector from the first end point to the other, exactly.
-    pub(super) fn along(&self) -> Point {
+    pub(crate) fn along(&self) -> Point {
         Point::new(self.to).minus(&Point::new(self.from))
     }
 }

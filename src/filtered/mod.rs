@@ -55,12 +55,13 @@ use crate::kernel::{Approach, Flight, Glance, Kernel, Met, Time};
 use crate::respond::{Normal, Restitution};
 use crate::scalar::{Dyadic, Filtered, Interval};
 use crate::vec2::Vec2;
-use course::{Course, Line, Ray};
+use course::{Course, Ray};
 use exact::{Meeting, Part};
-use plane::Point;
 use screen::Verdict;
 
+pub(crate) use course::Line;
 pub use moment::Moment;
+pub(crate) use plane::Point;
 
 type Decision<T> = Result<T, Infallible>;
 

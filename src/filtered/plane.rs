@@ -7,51 +7,51 @@ use crate::vec2::Vec2;
 
 /// A point or a direction in the plane.
 #[derive(Clone, Debug)]
-pub(super) struct Point {
-    pub(super) x: Dyadic,
-    pub(super) y: Dyadic,
+pub(crate) struct Point {
+    pub(crate) x: Dyadic,
+    pub(crate) y: Dyadic,
 }
 
 impl Point {
-    pub(super) fn new([x, y]: [f64; 2]) -> Self {
+    pub(crate) fn new([x, y]: [f64; 2]) -> Self {
         Self {
             x: Dyadic::from_f64(x),
             y: Dyadic::from_f64(y),
         }
     }
 
-    pub(super) fn of(vector: &Vec2<Filtered>) -> Self {
+    pub(crate) fn of(vector: &Vec2<Filtered>) -> Self {
         Self::new([vector.x.get(), vector.y.get()])
     }
 
     /// The nearest binary64 coordinates.
-    pub(super) fn rounded(&self) -> Vec2<Filtered> {
+    pub(crate) fn rounded(&self) -> Vec2<Filtered> {
         let nearest = |coordinate: &Dyadic| Filtered::new(coordinate.to_f64(Rounding::Nearest));
         Vec2::new(nearest(&self.x), nearest(&self.y))
     }
 
-    pub(super) fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         Self {
             x: self.x.clone().add(&other.x),
             y: self.y.clone().add(&other.y),
         }
     }
 
-    pub(super) fn minus(&self, other: &Self) -> Self {
+    pub(crate) fn minus(&self, other: &Self) -> Self {
         Self {
             x: self.x.clone().sub(&other.x),
             y: self.y.clone().sub(&other.y),
         }
     }
 
-    pub(super) fn scaled(&self, factor: &Dyadic) -> Self {
+    pub(crate) fn scaled(&self, factor: &Dyadic) -> Self {
         Self {
             x: self.x.mul(factor),
             y: self.y.mul(factor),
         }
     }
 
-    pub(super) fn reversed(&self) -> Self {
+    pub(crate) fn reversed(&self) -> Self {
         Self {
             x: -self.x.clone(),
             y: -self.y.clone(),
@@ -59,27 +59,27 @@ impl Point {
     }
 
     /// The vector turned by a right angle, counterclockwise.
-    pub(super) fn perpendicular(&self) -> Self {
+    pub(crate) fn perpendicular(&self) -> Self {
         Self {
             x: -self.y.clone(),
             y: self.x.clone(),
         }
     }
 
-    pub(super) fn dot(&self, other: &Self) -> Dyadic {
+    pub(crate) fn dot(&self, other: &Self) -> Dyadic {
         self.x.mul(&other.x).add(&self.y.mul(&other.y))
     }
 
-    pub(super) fn cross(&self, other: &Self) -> Dyadic {
+    pub(crate) fn cross(&self, other: &Self) -> Dyadic {
         self.x.mul(&other.y).sub(&self.y.mul(&other.x))
     }
 
-    pub(super) fn squared(&self) -> Dyadic {
+    pub(crate) fn squared(&self) -> Dyadic {
         self.dot(self)
     }
 
     /// The order of the length against another number that is not negative.
-    pub(super) fn compare_length(&self, length: &Dyadic) -> Ordering {
+    pub(crate) fn compare_length(&self, length: &Dyadic) -> Ordering {
         self.squared().compare(&length.mul(length))
     }
 }

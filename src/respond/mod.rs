@@ -130,6 +130,16 @@ pub struct Normal<S> {
     pub squared: S,
 }
 
+impl<S> Normal<S> {
+    /// The same normal in another arithmetic.
+    pub(crate) fn map<T>(&self, make: impl Fn(&S) -> T) -> Normal<T> {
+        Normal {
+            direction: self.direction.map(&make),
+            squared: make(&self.squared),
+        }
+    }
+}
+
 impl<S: Scalar> Normal<S> {
     /// The normal of bodies that touch at a distance of `reach`.
     pub fn at_contact(direction: Vec2<S>, reach: &S) -> Self {

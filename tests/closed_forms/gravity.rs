@@ -2,10 +2,11 @@
 //! disc falls by t².
 
 use carom::run::{Options, Outcome, Status};
-use carom::scalar::{Exact, Scalar};
+use carom::scalar::{Exact, Filtered, Scalar};
 use carom::scene::{Disc, Restitution, Scene, SceneBuilder};
 use carom::simulation::Algorithm;
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use crate::common::agree::{assert_encloses, assert_end, assert_log, assert_surd};
 use crate::common::{
@@ -28,6 +29,29 @@ fn times(outcome: &Outcome<f64>) -> Vec<f64> {
     outcome.impacts.iter().map(|impact| impact.time).collect()
 }
 
+fn in_filtered(scene: &Scene) -> Outcome<Filtered> {
+    complete(scene, Algorithm::Timeline)
+}
+
+/// Asserts what is logged in exact arithmetic, and so in filtered, for times that
+/// are numbers of binary64.
+#[track_caller]
+fn assert_logs(scene: &Scene, expected: &[(&str, &str)]) {
+    assert_log(&exactly(scene), expected);
+    let found = in_filtered(scene);
+    let found: Vec<_> = found
+        .impacts
+        .iter()
+        .map(|impact| (impact.time.get(), name(impact)))
+        .collect();
+    let nearest = |time: &str| ratio(time).to_f64().unwrap();
+    let expected: Vec<_> = expected
+        .iter()
+        .map(|(time, name)| (nearest(time), (*name).to_owned()))
+        .collect();
+    assert_eq!(found, expected);
+}
+
 /// It falls by 1 in 1, comes up as high in 1 again, and so on.
 #[test]
 fn an_elastic_ball_bounces_at_odd_times() {
@@ -37,7 +61,7 @@ fn an_elastic_ball_bounces_at_odd_times() {
             .wall([-8, 0], [8, 0]),
     );
     let outcome = exactly(&scene);
-    assert_log(&outcome, &[("1", "d0 w0"), ("3", "d0 w0"), ("5", "d0 w0")]);
+    assert_logs(&scene, &[("1", "d0 w0"), ("3", "d0 w0"), ("5", "d0 w0")]);
     assert_end(&outcome, &[["6", "2", "1", "0"]]);
     assert_eq!(times(&in_binary64(&scene)), [1.0, 3.0, 5.0]);
 }
@@ -100,6 +124,15 @@ fn onto_a_fixed_disc() {
     assert_surd(&fallen, ["0", "1"], "3");
     let time = in_binary64(&scene).impacts[0].time;
     assert!((time - (4.0 - 3_f64.sqrt()).sqrt()).abs() < 1e-15);
+    // Before it touches (4 - t²)² is more than 3.
+    let time = in_filtered(&scene).impacts[0].time.get();
+    let middle = |other: f64| {
+        let sum = [time, other].map(|number| BigRational::from_float(number).unwrap());
+        sum.iter().sum::<BigRational>() / ratio("2")
+    };
+    let gap = |time: BigRational| (ratio("4") - &time * &time).pow(2) - ratio("3");
+    assert!(gap(middle(time.next_down())) > ratio("0"));
+    assert!(gap(middle(time.next_up())) < ratio("0"));
 }
 
 /// The end point is 3/5 aside: a disc of radius 1 touches it from 4/5 above,
@@ -114,6 +147,10 @@ fn onto_the_end_of_a_wall() {
     let outcome = exactly(&scene);
     assert_eq!(names(&outcome.impacts), ["d0 w0 from"]);
     assert_encloses(&outcome.impacts[0].time, "1");
+    let outcome = in_filtered(&scene);
+    assert_eq!(names(&outcome.impacts), ["d0 w0 from"]);
+    // The scene's fractions are rounded.
+    assert!((outcome.impacts[0].time.get() - 1.0).abs() < 1e-15);
 }
 
 /// It rises by 1 in 1, to where it touches the ceiling with no speed, and is
@@ -127,8 +164,8 @@ fn an_apex_that_grazes() {
             .wall([-8, 0], [8, 0]),
     );
     let outcome = exactly(&scene);
-    assert_log(&outcome, &[("2", "d0 w1")]);
-    assert_eq!(outcome.grazes, 1);
+    assert_logs(&scene, &[("2", "d0 w1")]);
+    assert_eq!([outcome.grazes, in_filtered(&scene).grazes], [1, 1]);
 }
 
 /// A little faster, it hits the ceiling: 5/2 t - t² = 1 at 1/2, where its speed
@@ -141,7 +178,7 @@ fn a_ceiling_in_the_way() {
             .wall([-8, 3], [8, 3])
             .wall([-8, 0], [8, 0]),
     );
-    assert_log(&exactly(&scene), &[("1/2", "d0 w0"), ("1", "d0 w1")]);
+    assert_logs(&scene, &[("1/2", "d0 w0"), ("1", "d0 w1")]);
 }
 
 /// x = t - 3 and y = 1 + 6 t - t²: it rises past the end (0, 8) of the wall, which
@@ -152,7 +189,7 @@ fn around_the_end_of_a_wall() {
     let scene = falling("5")
         .disc(Disc::at([-3, 1], 1).velocity([1, 6]))
         .wall([0, 8], [9, 8]);
-    assert_log(&exactly(&built(scene)), &[("4", "d0 w0")]);
+    assert_logs(&built(scene), &[("4", "d0 w0")]);
 }
 
 /// Down the incline, along (4, -3)/5, it is pulled with 6/5: 3/5 t². The second
@@ -164,13 +201,22 @@ fn down_an_incline_into_a_groove() {
         .wall([-40, 30], [40, -30])
         .wall([20, -15], [26, -7])
         .restitution(newton("0"));
-    let outcome = exactly(&built(scene));
+    let scene = built(scene);
+    let outcome = exactly(&scene);
     assert_eq!(names(&outcome.impacts), ["d0 w1"]);
     assert_surd(&outcome.impacts[0].time, ["0", "1"], "100/3");
     assert_eq!(outcome.rests, 2);
     let [x, y, vx, vy] = numbers(&outcome.end[0]);
     for (number, expected) in [(x, "19"), (y, "-8"), (vx, "0"), (vy, "0")] {
         assert_encloses(&number, expected);
+    }
+    let outcome = in_filtered(&scene);
+    assert_eq!(
+        (names(&outcome.impacts), outcome.rests),
+        (vec!["d0 w1".to_owned()], 2)
+    );
+    for (number, expected) in numbers(&outcome.end[0]).iter().zip([19.0, -8.0, 0.0, 0.0]) {
+        assert!((number.get() - expected).abs() < 1e-13, "{number:?}");
     }
 }
 
@@ -186,9 +232,13 @@ fn off_a_table() {
             .restitution(newton("0")),
     );
     let outcome = exactly(&scene);
-    assert_log(&outcome, &[("4", "d0 w1")]);
+    assert_logs(&scene, &[("4", "d0 w1")]);
     assert_eq!(outcome.rests, 2);
     assert_end(&outcome, &[["15/2", "1", "3", "0"]]);
+    let outcome = in_filtered(&scene);
+    assert_eq!(outcome.rests, 2);
+    let end = numbers(&outcome.end[0]).map(Filtered::get);
+    assert_eq!(end, [7.5, 1.0, 3.0, 0.0]);
 }
 
 /// At a speed of 1 it does not fly off, for 1² < g r = 2: it falls around the
@@ -214,7 +264,7 @@ fn a_piston_does_not_fall() {
         .disc(Disc::at([0, 4], 1))
         .disc(Disc::at([0, 0], 1).velocity([0, 1]).infinite_mass());
     let expected = [("1", "d0 d1"), ("4", "d0 d1")];
-    assert_log(&exactly(&built(scene)), &expected);
+    assert_logs(&built(scene), &expected);
 }
 
 /// With gravity -2 and drag 1/2, in frames of 1/2: down at -1 for one frame, then

@@ -8,22 +8,22 @@ use num_traits::{Signed, Zero};
 
 use super::fraction::{Surd, ratio, rounded, rounded_towards};
 
-type Vector = [BigRational; 2];
+pub(crate) type Vector = [BigRational; 2];
 
 /// A disc as it is stored.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     pub(crate) place: [f64; 2],
     pub(crate) speed: [f64; 2],
-    radius: f64,
+    pub(crate) radius: f64,
     /// None for an infinite mass.
-    mass: Option<f64>,
-    since: f64,
+    pub(crate) mass: Option<f64>,
+    pub(crate) since: f64,
 }
 
 /// What a disc hits.
 #[derive(Clone, Copy, Debug)]
-enum Target {
+pub(crate) enum Target {
     Disc(usize),
     Wall(usize),
     /// An end point, the first or the second one.
@@ -39,9 +39,21 @@ pub(crate) struct Hit {
 
 pub(crate) struct Reference {
     pub(crate) bodies: Vec<Body>,
-    walls: Vec<[[f64; 2]; 2]>,
+    pub(crate) walls: Vec<[[f64; 2]; 2]>,
     restitution: Restitution,
-    end: f64,
+    pub(crate) end: f64,
+}
+
+impl Target {
+    /// The name of the impact of a disc on it.
+    pub(crate) fn name(self, disc: usize) -> String {
+        match self {
+            Self::Disc(other) => format!("d{disc} d{other}"),
+            Self::Wall(wall) => format!("d{disc} w{wall}"),
+            Self::End(wall, 0) => format!("d{disc} w{wall} from"),
+            Self::End(wall, _) => format!("d{disc} w{wall} to"),
+        }
+    }
 }
 
 impl Reference {
@@ -82,12 +94,7 @@ impl Reference {
         self.strike(disc, target);
         Some(Hit {
             time: stored,
-            name: match target {
-                Target::Disc(other) => format!("d{disc} d{other}"),
-                Target::Wall(wall) => format!("d{disc} w{wall}"),
-                Target::End(wall, 0) => format!("d{disc} w{wall} from"),
-                Target::End(wall, _) => format!("d{disc} w{wall} to"),
-            },
+            name: target.name(disc),
         })
     }
 
@@ -201,7 +208,8 @@ impl Reference {
         body.since = time.rounded();
     }
 
-    fn strike(&mut self, disc: usize, target: Target) {
+    /// Lets a disc that is brought to it collide with a target.
+    pub(crate) fn strike(&mut self, disc: usize, target: Target) {
         let body = &self.bodies[disc];
         let [zero, whole] = [BigRational::zero(), one()];
         let (normal, speed, shares) = match target {
@@ -317,18 +325,18 @@ pub(crate) fn approach(offset: &Vector, velocity: &Vector, reach: &BigRational) 
     })
 }
 
-fn one() -> BigRational {
+pub(crate) fn one() -> BigRational {
     BigRational::from_integer(1.into())
 }
 
-fn exact(vector: [f64; 2]) -> Vector {
+pub(crate) fn exact(vector: [f64; 2]) -> Vector {
     vector.map(ratio)
 }
 
-fn minus(a: &Vector, b: &Vector) -> Vector {
+pub(crate) fn minus(a: &Vector, b: &Vector) -> Vector {
     [&a[0] - &b[0], &a[1] - &b[1]]
 }
 
-fn dot(a: &Vector, b: &Vector) -> BigRational {
+pub(crate) fn dot(a: &Vector, b: &Vector) -> BigRational {
     &a[0] * &b[0] + &a[1] * &b[1]
 }

@@ -1,14 +1,12 @@
 //! How bodies meet of which some fall.
 
-use std::cmp::Ordering::{Greater, Less};
-
 use super::Falling;
 use super::arc::Arc;
 use super::circle;
-use super::segment::{self, Gap, Touched};
+use super::segment::{self, Touched};
 use super::weight::Weight;
 use crate::body::Disc;
-use crate::detect::{Encounter, End, Segment, meet_circle};
+use crate::detect::{End, Segment, meet_circle};
 use crate::kernel::{Approach, Flight, Kernel, Met};
 use crate::roots::{Descent, Polynomial, Roots};
 use crate::scalar::Scalar;
@@ -74,7 +72,8 @@ impl<S: Roots> Kernel for Falling<S> {
         wall: &Segment<Self>,
         barred: impl Fn(End) -> bool,
     ) -> Result<Option<Met<Self>>, S::Doubt> {
-        meet_wall(flight, wall, Touched::Nothing, barred)
+        let barred = [End::From, End::To].map(barred);
+        meet_wall(flight, wall, Touched::Nothing { barred })
     }
 
     fn meet_wall_again(
@@ -83,56 +82,29 @@ impl<S: Roots> Kernel for Falling<S> {
         touched: Option<End>,
         skims: bool,
     ) -> Result<Option<Met<Self>>, S::Doubt> {
-        let touched = match touched {
-            Some(end) => Touched::End { end, skims },
-            None => Touched::Interior { skims },
-        };
-        meet_wall(flight, wall, touched, |_| false)
+        let touched = Touched::of(touched, skims);
+        meet_wall(flight, wall, touched)
     }
 
     fn leave_wall(
         flight: Flight<'_, Self>,
         wall: &Segment<Self>,
     ) -> Result<Option<Met<Self>>, S::Doubt> {
-        let [c, b, a] = way(flight, wall)
-            .powers()
-            .map(|power| power.dot(&wall.along));
-        let left = wall.length_squared.clone() - &c;
-        let ends = [
-            (
-                End::To,
-                Gap {
-                    a: -a.clone(),
-                    b: -b.clone(),
-                    c: left,
-                },
-            ),
-            (End::From, Gap { a, b, c }),
-        ];
-        let mut first = None;
-        for (end, gap) in ends {
-            let met = gap.fall()?.map(|met| met.at(end));
-            first = segment::earlier(first, met)?;
-        }
-        let left = |met| Encounter { rest: true, ..met };
-        Ok(first.map(|met| Met::after(flight.since, left(met))))
+        let met = segment::leave(&way(flight, wall), wall)?;
+        Ok(met.map(|met| Met::after(flight.since, met)))
     }
 
     fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<Self> {
-        let [_, b, a] = way(flight, wall)
-            .powers()
-            .map(|power| power.cross(&wall.along));
-        let falls = matches!(
-            (a.sign(), b.sign()),
-            (Ok(Less), Ok(Greater)) | (Ok(Greater), Ok(Less))
-        );
-        let flown = -b / a;
-        falls.then(|| flown / (Self::from_integer(1) - kept))
+        segment::bouncing(&way(flight, wall), wall, kept)
     }
 }
 
 /// The way of a disc, seen from a wall's first end point.
-fn way<S: Roots>(flight: Flight<'_, Falling<S>>, wall: &Segment<Falling<S>>) -> Arc<Falling<S>> {
+pub(super) fn way<S>(flight: Flight<'_, Falling<S>>, wall: &Segment<Falling<S>>) -> Arc<Falling<S>>
+where
+    S: Scalar,
+    Falling<S>: Kernel<Pull = Weight<Falling<S>>>,
+{
     let Disc {
         position, velocity, ..
     } = flight.disc;
@@ -144,10 +116,9 @@ fn meet_wall<S: Roots>(
     flight: Flight<'_, Falling<S>>,
     wall: &Segment<Falling<S>>,
     touched: Touched,
-    barred: impl Fn(End) -> bool,
 ) -> Result<Option<Met<Falling<S>>>, S::Doubt> {
     let way = way(flight, wall);
-    let met = segment::meet(&way, &flight.disc.radius, wall, touched, barred)?;
+    let met = segment::meet(&way, &flight.disc.radius, wall, touched)?;
     Ok(met.map(|met| Met::after(flight.since, met)))
 }
 

@@ -11,11 +11,13 @@
 mod arc;
 mod circle;
 mod course;
+mod filtered;
 mod kernel;
 mod number;
 mod segment;
 mod weight;
 
 pub(crate) use course::fall;
+pub use filtered::Instant;
 pub use number::Falling;
-pub use weight::Weight;
+pub use weight::{Holding, Weight};

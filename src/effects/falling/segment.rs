@@ -22,15 +22,29 @@ use crate::vec2::Vec2;
 type Met<S> = Result<Option<Encounter<S>>, <S as Scalar>::Doubt>;
 
 /// What of a wall a disc touches by construction, and does not approach.
-/// Where the disc `skims` it, it moves at a right angle to the normal.
+/// Where the disc `skims` it, it moves at a right angle to the normal. A disc that
+/// touches nothing is known not to meet the end points that are `barred`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Touched {
-    Nothing,
+    Nothing { barred: [bool; 2] },
     Interior { skims: bool },
     End { end: End, skims: bool },
 }
 
 impl Touched {
+    /// The interior or an end point, which the disc may skim.
+    pub(super) fn of(end: Option<End>, skims: bool) -> Self {
+        match end {
+            Some(end) => Self::End { end, skims },
+            None => Self::Interior { skims },
+        }
+    }
+
+    /// Whether an end point is known not to be met.
+    pub(super) fn bars(self, end: End) -> bool {
+        matches!(self, Self::Nothing { barred } if barred[end as usize])
+    }
+
     /// Whether it is an end point, and if so whether the disc skims it.
     fn at(self, point: End) -> Option<bool> {
         match self {
@@ -41,13 +55,12 @@ impl Touched {
 }
 
 /// When a disc, of which the way is seen from the wall's first end point, meets
-/// a wall. It is known not to meet the end points for which `barred` holds.
+/// a wall.
 pub(super) fn meet<S: Roots>(
     arc: &Arc<S>,
     radius: &S,
     wall: &Segment<S>,
     touched: Touched,
-    barred: impl Fn(End) -> bool,
 ) -> Met<S> {
     let way = Way::new(arc, radius, wall);
     let sides = [Less, Greater];
@@ -61,15 +74,46 @@ pub(super) fn meet<S: Roots>(
         let met = way.meet_line(side, touched)?;
         first = earlier(first, met)?;
     }
-    for end in [End::From, End::To].into_iter().filter(|end| !barred(*end)) {
+    for end in [End::From, End::To]
+        .into_iter()
+        .filter(|end| !touched.bars(*end))
+    {
         let met = way.meet_end(end, touched.at(end), first.as_ref())?;
         first = earlier(first, met)?;
     }
     Ok(first)
 }
 
+/// When a disc, seen the same way, gets to the end of a wall along which it moves.
+pub(super) fn leave<S: Roots>(arc: &Arc<S>, wall: &Segment<S>) -> Met<S> {
+    let [c, b, a] = arc.powers().map(|power| power.dot(&wall.along));
+    let left = Gap {
+        a: -a.clone(),
+        b: -b.clone(),
+        c: wall.length_squared.clone() - &c,
+    };
+    let mut first = None;
+    for (end, gap) in [(End::To, left), (End::From, Gap { a, b, c })] {
+        let met = gap.fall()?.map(|met| met.at(end));
+        first = earlier(first, met)?;
+    }
+    Ok(first.map(|met| Encounter { rest: true, ..met }))
+}
+
+/// How long a disc, seen the same way, bounces on a wall that it has just hit, if
+/// each impact leaves so much of its speed.
+pub(super) fn bouncing<S: Scalar>(arc: &Arc<S>, wall: &Segment<S>, kept: &S) -> Option<S> {
+    let [_, b, a] = arc.powers().map(|power| power.cross(&wall.along));
+    let falls = matches!(
+        (a.sign(), b.sign()),
+        (Ok(Less), Ok(Greater)) | (Ok(Greater), Ok(Less))
+    );
+    let flown = -b / a;
+    falls.then(|| flown / (S::from_integer(1) - kept))
+}
+
 /// The first of two meetings.
-pub(super) fn earlier<S: Scalar>(one: Option<Encounter<S>>, other: Option<Encounter<S>>) -> Met<S> {
+fn earlier<S: Scalar>(one: Option<Encounter<S>>, other: Option<Encounter<S>>) -> Met<S> {
     Ok(match (one, other) {
         (Some(one), Some(other)) => match other.delay.compare(&one.delay)? {
             Less => Some(other),
@@ -90,10 +134,10 @@ struct Way<'a, S> {
 
 /// The distance from a line on one of its sides, less the radius, all times the
 /// wall's length: a t² + b t + c.
-pub(super) struct Gap<S> {
-    pub(super) a: S,
-    pub(super) b: S,
-    pub(super) c: S,
+struct Gap<S> {
+    a: S,
+    b: S,
+    c: S,
 }
 
 impl<'a, S: Roots> Way<'a, S> {
@@ -238,7 +282,7 @@ impl<S: Scalar> Gap<S> {
     }
 
     /// When what is at zero, and does not fall, comes back to zero.
-    pub(super) fn descent_from_contact(&self) -> Met<S> {
+    fn descent_from_contact(&self) -> Met<S> {
         let (speed, bends) = (self.b.sign()?, self.a.sign()?);
         Ok(match (speed, bends) {
             (Less, _) => Some(Encounter::now()),
@@ -261,7 +305,7 @@ impl<S: Scalar> Gap<S> {
     }
 
     /// When what is not below zero gets there.
-    pub(super) fn fall(&self) -> Met<S> {
+    fn fall(&self) -> Met<S> {
         let met = match self.c.sign()? {
             Greater => self.descent()?,
             Less | Equal => self.descent_from_contact()?,

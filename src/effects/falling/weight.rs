@@ -5,7 +5,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 use super::Falling;
 use crate::body::{Disc, Wall};
 use crate::detect::Segment;
-use crate::kernel::Pull;
+use crate::kernel::{Kernel, Pull};
 use crate::roots::Roots;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
@@ -53,52 +53,103 @@ impl<S: Scalar> Weight<S> {
     }
 }
 
-/// Which way a vector points, seen from a wall: away from it on the side of a
-/// disc, or towards it.
-fn away<S: Scalar>(
-    vector: &Vec2<S>,
-    disc: &Disc<S>,
-    wall: &Segment<S>,
-) -> Result<Ordering, S::Doubt> {
-    let side = disc.position.minus(&wall.from).cross(&wall.along).sign()?;
-    let across = vector.cross(&wall.along).sign()?;
-    Ok(if side == Less {
-        across.reverse()
-    } else {
-        across
-    })
+/// What has to be decided of a disc that walls hold.
+pub trait Holding: Kernel<Pull = Weight<Self>> {
+    /// Which way a vector points, seen from a wall: away from it on the side of a
+    /// disc, or towards it.
+    ///
+    /// # Errors
+    ///
+    /// It is open.
+    fn away(
+        vector: &Vec2<Self>,
+        disc: &Disc<Self>,
+        wall: &Segment<Self>,
+    ) -> Result<Ordering, Self::Doubt>;
+
+    /// The part of a vector along a wall: all of it, if it is exactly so, and exactly
+    /// so along an axis.
+    fn along(vector: &Vec2<Self>, wall: &Segment<Self>) -> Vec2<Self>;
+
+    /// Whether two walls are surely at a right angle.
+    fn are_square(one: &Segment<Self>, other: &Segment<Self>) -> bool;
+
+    /// Which way the gap grows of a disc that touches a corner, and moves at a
+    /// right angle to the normal: by its second derivative or, where that is
+    /// zero, the third one.
+    ///
+    /// # Errors
+    ///
+    /// It is open.
+    fn bend(
+        disc: &Disc<Self>,
+        corner: &Vec2<Self>,
+        gravity: &Vec2<Self>,
+    ) -> Result<Ordering, Self::Doubt>;
 }
 
-/// The part of a vector along a wall: all of it, if it is exactly so, and exactly
-/// so along an axis.
-fn along<S: Scalar>(vector: &Vec2<S>, wall: &Segment<S>) -> Vec2<S> {
-    let zero = || S::from_integer(0);
-    if wall.along.x.is_surely_zero() {
-        return Vec2::new(zero(), vector.y.clone());
+impl<S: Roots> Holding for Falling<S> {
+    fn away(
+        vector: &Vec2<Self>,
+        disc: &Disc<Self>,
+        wall: &Segment<Self>,
+    ) -> Result<Ordering, S::Doubt> {
+        let side = disc.position.minus(&wall.from).cross(&wall.along).sign()?;
+        let across = vector.cross(&wall.along).sign()?;
+        Ok(if side == Less {
+            across.reverse()
+        } else {
+            across
+        })
     }
-    if wall.along.y.is_surely_zero() {
-        return Vec2::new(vector.x.clone(), zero());
+
+    fn along(vector: &Vec2<Self>, wall: &Segment<Self>) -> Vec2<Self> {
+        let zero = || Self::from_integer(0);
+        if wall.along.x.is_surely_zero() {
+            return Vec2::new(zero(), vector.y.clone());
+        }
+        if wall.along.y.is_surely_zero() {
+            return Vec2::new(vector.x.clone(), zero());
+        }
+        let across = vector.cross(&wall.along) / &wall.length_squared;
+        vector.moved(&wall.along.perpendicular(), &across)
     }
-    let across = vector.cross(&wall.along) / &wall.length_squared;
-    vector.moved(&wall.along.perpendicular(), &across)
+
+    fn are_square(one: &Segment<Self>, other: &Segment<Self>) -> bool {
+        one.along.dot(&other.along).is_surely_zero()
+    }
+
+    fn bend(
+        disc: &Disc<Self>,
+        corner: &Vec2<Self>,
+        gravity: &Vec2<Self>,
+    ) -> Result<Ordering, S::Doubt> {
+        let offset = disc.position.minus(corner);
+        let bend = disc.velocity.norm_squared() + offset.dot(gravity);
+        let drift = disc.velocity.dot(gravity);
+        Ok(match (bend.sign()?, drift.sign()?) {
+            (Equal, drift) => drift,
+            (bend, _) => bend,
+        })
+    }
 }
 
-impl<S: Roots> Weight<Falling<S>> {
+impl<S: Holding> Weight<S> {
     /// Notes that a disc that a wall holds was held by another one up to now. If
     /// they are at a right angle it is stopped; at rest, and pulled towards both,
     /// it stays where it is.
     fn rest_between(
         &mut self,
-        disc: &mut Disc<Falling<S>>,
+        disc: &mut Disc<S>,
         [wall, other]: [usize; 2],
-        walls: &[Wall<Falling<S>>],
+        walls: &[Wall<S>],
     ) -> Result<(), S::Doubt> {
         let [new, old] = [wall, other].map(|wall| &walls[wall].segment);
-        if new.along.dot(&old.along).is_surely_zero() {
+        if S::are_square(new, old) {
             disc.velocity = Vec2::zero();
         }
         let rests = disc.velocity.x.is_surely_zero() && disc.velocity.y.is_surely_zero();
-        if rests && away(&self.acting, disc, old)? == Less {
+        if rests && S::away(&self.acting, disc, old)? == Less {
             self.acting = Vec2::zero();
             self.state = State::Held(wall, Some(other));
         }
@@ -106,7 +157,7 @@ impl<S: Roots> Weight<Falling<S>> {
     }
 }
 
-impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
+impl<S: Holding> Pull<S> for Weight<S> {
     fn acceleration(&self) -> Option<Vec2<Interval>> {
         Some(self.acting.map(Scalar::hull))
     }
@@ -128,18 +179,18 @@ impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
 
     fn rest_on(
         &mut self,
-        disc: &mut Disc<Falling<S>>,
+        disc: &mut Disc<S>,
         wall: usize,
-        walls: &[Wall<Falling<S>>],
+        walls: &[Wall<S>],
     ) -> Result<(), S::Doubt> {
         let segment = &walls[wall].segment;
-        if away(&self.gravity, disc, segment)? == Greater {
+        if S::away(&self.gravity, disc, segment)? == Greater {
             self.let_go();
             return Ok(());
         }
         self.skims = false;
-        disc.velocity = along(&disc.velocity, segment);
-        self.acting = along(&self.gravity, segment);
+        disc.velocity = S::along(&disc.velocity, segment);
+        self.acting = S::along(&self.gravity, segment);
         let before = std::mem::replace(&mut self.state, State::Held(wall, None));
         match before {
             State::Held(other, None) => self.rest_between(disc, [wall, other], walls),
@@ -155,19 +206,9 @@ impl<S: Roots> Pull<Falling<S>> for Weight<Falling<S>> {
         }
     }
 
-    fn slide_off(
-        &mut self,
-        disc: &Disc<Falling<S>>,
-        corner: &Vec2<Falling<S>>,
-    ) -> Result<bool, S::Doubt> {
+    fn slide_off(&mut self, disc: &Disc<S>, corner: &Vec2<S>) -> Result<bool, S::Doubt> {
         self.let_go();
         self.skim();
-        let offset = disc.position.minus(corner);
-        let bend = disc.velocity.norm_squared() + offset.dot(&self.gravity);
-        let drift = disc.velocity.dot(&self.gravity);
-        Ok(match (bend.sign()?, drift.sign()?) {
-            (Less, _) | (Equal, Less) => false,
-            (Greater, _) | (Equal, Equal | Greater) => true,
-        })
+        Ok(S::bend(disc, corner, &self.gravity)? != Less)
     }
 }

@@ -7,14 +7,12 @@
 //! 4.2; Yap, Fundamental Problems of Algorithmic Algebra, 6). Where it is ruled
 //! out, narrower enclosures are certain to decide.
 
-#[cfg_attr(not(test), expect(dead_code, reason = "for kernels to come"))]
 mod order;
-#[cfg_attr(not(test), expect(dead_code, reason = "for kernels to come"))]
 mod round;
 #[cfg(test)]
 mod tests;
 
-use std::cmp::Ordering::{self, Equal};
+use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -24,7 +22,7 @@ use super::enclosure::{Enclosure, Place};
 use super::span::{Kind, Span};
 use super::whole::Whole;
 use super::{Descent, Polynomial, Zero, first_descent};
-use crate::scalar::{Dyadic, Exact, Interval, Rounding};
+use crate::scalar::{Dyadic, Exact, Interval, Rounding, Scalar};
 
 /// A zero of a polynomial, plus an offset.
 #[derive(Clone, Debug)]
@@ -50,6 +48,46 @@ impl Algebraic {
         let Descent { time, graze } = first_descent(signed(f, isolated(&simple)), grazes)?;
         let time = Self::new(simple, time);
         Some(Descent { time, graze })
+    }
+
+    /// All descents, in order.
+    pub(crate) fn descents(f: &Polynomial<Dyadic>) -> Vec<Descent<Self>> {
+        if f.0.iter().all(Dyadic::is_zero) {
+            return Vec::new();
+        }
+        let simple = Whole::of(f).square_free().to_dyadic();
+        let zeros = signed(f, isolated(&simple)).into_iter();
+        let descents = zeros.filter(|zero| zero.before == Greater);
+        descents
+            .map(|zero| Descent {
+                time: Self::new(simple.clone(), zero.place),
+                graze: zero.after == Greater,
+            })
+            .collect()
+    }
+
+    /// The descent within bounds in which a polynomial plainly falls from above
+    /// zero to below.
+    pub(crate) fn within(f: &Polynomial<Dyadic>, bounds: Interval) -> Option<Self> {
+        if !bounds.hi().is_finite() || f.map(hull).derivative().at(&bounds).sign() != Ok(Less) {
+            return None;
+        }
+        let [low, high] = [bounds.lo(), bounds.hi()].map(Dyadic::from_f64);
+        let [before, after] = [&low, &high].map(|end| f.exactly_at(end).sign());
+        let span = Span {
+            low,
+            high,
+            before,
+            after,
+            kind: Kind::Simple,
+        };
+        ((before, after) == (Greater, Less)).then(|| Self::new(f.clone(), span))
+    }
+
+    /// The same number, enclosed to more bits than binary64 has.
+    pub(crate) fn sharpened(mut self) -> Self {
+        self.sharpen(FIRST_BITS);
+        self
     }
 
     fn new(f: Polynomial<Dyadic>, span: Span<Dyadic>) -> Self {

@@ -4,13 +4,13 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 /// By ascending powers.
-pub(in crate::roots) type Coefficients = Vec<BigRational>;
+pub(crate) type Coefficients = Vec<BigRational>;
 
-pub(in crate::roots) fn ratio(numerator: i64, denominator: i64) -> BigRational {
+pub(crate) fn ratio(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
 
-pub(in crate::roots) fn value(f: &[BigRational], t: &BigRational) -> BigRational {
+pub(crate) fn value(f: &[BigRational], t: &BigRational) -> BigRational {
     let step = |sum: BigRational, a: &BigRational| sum * t + a;
     f.iter().rev().fold(BigRational::zero(), step)
 }
@@ -42,10 +42,10 @@ fn negated_remainder(a: &[BigRational], b: &[BigRational]) -> Coefficients {
 }
 
 /// What counts zeros.
-pub(in crate::roots) struct Sturm(Vec<Coefficients>);
+pub(crate) struct Sturm(Vec<Coefficients>);
 
 impl Sturm {
-    pub(in crate::roots) fn new(f: &[BigRational]) -> Self {
+    pub(crate) fn new(f: &[BigRational]) -> Self {
         let f = trimmed(f.to_vec());
         let mut sequence = vec![f.clone(), trimmed(derivative(&f))];
         while !sequence.last().unwrap().is_empty() {
@@ -70,14 +70,14 @@ impl Sturm {
 
     /// How many different zeros lie above one place, which is none, and not above
     /// another one, which is none.
-    pub(in crate::roots) fn count(&self, from: &BigRational, to: &BigRational) -> usize {
+    pub(crate) fn count(&self, from: &BigRational, to: &BigRational) -> usize {
         self.changes(from) - self.changes(to)
     }
 }
 
 /// The first descent above 0, after so many grazes: between two places that are
 /// less than a part in 2^`bits` of 1 apart, and whether it is a graze.
-pub(in crate::roots) fn descent(
+pub(crate) fn descent(
     f: &[BigRational],
     grazes: usize,
     bits: usize,

@@ -48,6 +48,10 @@ impl Timed for Exact {
     type Arbiter = Algebra;
 }
 
+impl Timed for Falling<Filtered> {
+    type Arbiter = Nobody;
+}
+
 impl<S: Roots> Timed for Falling<S> {
     type Arbiter = Nobody;
 }
