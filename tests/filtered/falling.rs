@@ -7,8 +7,8 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
-use super::common::name;
-use super::common::strategy::{Masses, boxed, cases, lossy};
+use crate::common::name;
+use crate::common::strategy::{Masses, boxed, cases, lossy};
 use super::fraction::{ratio, rounded};
 use super::reference::{Reference, Target, Vector, dot, exact, minus};
 use super::run;
