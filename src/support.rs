@@ -133,6 +133,16 @@ fn numbers(scene: &Scene) -> impl Iterator<Item = (String, &Number)> {
         .chain(walls)
         .chain([duration])
         .chain(slow_limit(scene))
+        .chain(forces(scene))
+}
+
+/// Gravity and drag.
+fn forces(scene: &Scene) -> impl Iterator<Item = (String, &Number)> {
+    let effects = scene.effects();
+    let gravity = effects.gravity.iter().flatten();
+    let gravity = gravity.map(|number| (String::from("effects.gravity"), number));
+    let drag = effects.drag.iter();
+    gravity.chain(drag.map(|number| (String::from("effects.drag.linear"), number)))
 }
 
 /// The speed below which impacts are elastic.

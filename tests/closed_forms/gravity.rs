@@ -370,3 +370,17 @@ fn a_dead_stop_at_a_ceiling() {
     // 2 s - 4/5 s² = 1/2.
     assert_surd(&outcome.impacts[0].time, ["5/4", "-1/4"], "15");
 }
+
+/// What a product of four would take out of the range of binary64 is refused.
+#[test]
+fn gravity_that_is_too_strong_for_binary64() {
+    let scene = lasting("1")
+        .gravity(["0", "-1e200"])
+        .disc(Disc::at([0, 0], 1));
+    let scene = built(scene);
+    let mut go_on = |_| std::ops::ControlFlow::Continue(());
+    let options = Options::default();
+    let refused = carom::run::run::<f64>(&scene, Algorithm::Timeline, &options, &mut go_on);
+    assert!(refused.is_err());
+    assert!(exactly(&scene).impacts.is_empty());
+}
