@@ -7,12 +7,12 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
-use crate::common::name;
-use crate::common::strategy::{Masses, boxed, cases, lossy};
 use super::fraction::{ratio, rounded};
 use super::reference::{Reference, Target, Vector, dot, exact, minus};
 use super::run;
 use super::sturm::{descent, value};
+use crate::common::name;
+use crate::common::strategy::{Masses, boxed, cases, lossy};
 
 /// Enough to tell times apart, and how they round.
 const ROUGH: usize = 24;

@@ -43,7 +43,6 @@ impl Query {
         let [early, late] = &self.discs();
         let since = Filtered::new(self.since);
         let flight = |disc| Flight {
-            pull: &(),
             disc,
             since: &since,
             pull: &(),
