@@ -133,6 +133,8 @@ pub struct Timeline<S: Timed> {
     turn: u64,
     grazes: u64,
     rests: u64,
+    /// How many discs have come to rest at the present time, one after the other.
+    pauses: usize,
     /// The least relative difference of the first two different times, at any
     /// impact.
     closest: f64,
@@ -181,6 +183,7 @@ impl<S: Timed> Timeline<S> {
             turn: 0,
             grazes: 0,
             rests: 0,
+            pauses: 0,
             closest: f64::INFINITY,
             negligible: until.hull().hi() * 2f64.powi(-1000),
             watch,

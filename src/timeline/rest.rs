@@ -10,7 +10,7 @@
 //! end of a wall, has no closed form: there the run ends, as if infinitely many
 //! impacts followed at once.
 
-use std::cmp::Ordering::Equal;
+use std::cmp::Ordering::{self, Equal};
 
 use super::accumulation::Accumulation;
 use super::arbiter::Timed;
@@ -21,6 +21,9 @@ use crate::kernel::{Pull, Time};
 use crate::respond::Restitution;
 use crate::world::Obstacle;
 
+/// How often each disc may come to rest at one time.
+const PAUSES: usize = 16;
+
 impl<S: Timed> Timeline<S> {
     /// Follows a disc that comes to rest on what it is forecast to meet, or gets
     /// to the end of what holds it, if it does.
@@ -28,15 +31,24 @@ impl<S: Timed> Timeline<S> {
         let Some(forecast) = self.forecasts[disc].take_if(|next| next.is_rest()) else {
             return Ok(false);
         };
+        let before = self.now.clone();
         let Some(feature) = self.arrive(disc, &forecast) else {
             return Ok(false);
         };
-        if self.has_settled(disc, feature)? {
+        if self.goes_on(&before) && self.has_settled(disc, feature)? {
             self.renew_forecast(disc)?;
         } else {
             self.stop(disc, feature);
         }
         Ok(true)
+    }
+
+    /// Whether discs do not come to rest at one time again and again, without an
+    /// end.
+    fn goes_on(&mut self, before: &S) -> bool {
+        let stays = self.now.compare(before).is_ok_and(Ordering::is_eq);
+        self.pauses = if stays { self.pauses + 1 } else { 0 };
+        self.pauses < PAUSES * (self.disc_count() + 1)
     }
 
     /// Follows bodies that pass in tangency, up to where they touch: they may come
