@@ -8,9 +8,8 @@
 //! translated. Warped time never gets to 1/k: what is met no earlier is never
 //! met.
 //!
-//! A moving body of infinite mass feels no drag, and an impact that is slow in one
-//! time is not in the other: what is scenes with these, drag and the timeline is
-//! refused.
+//! A moving body of infinite mass feels no drag, and what is a slow impact in one
+//! time is none in the other: together with these drag is refused.
 
 use super::Course;
 use crate::body::Disc;

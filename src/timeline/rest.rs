@@ -35,10 +35,12 @@ impl<S: Timed> Timeline<S> {
         let Some(feature) = self.arrive(disc, &forecast) else {
             return Ok(false);
         };
-        if self.goes_on(&before) && self.has_settled(disc, feature)? {
+        if !self.goes_on(&before) {
+            self.stop(disc, feature, false);
+        } else if self.has_settled(disc, feature)? {
             self.renew_forecast(disc)?;
         } else {
-            self.stop(disc, feature);
+            self.stop(disc, feature, !S::ROUNDS);
         }
         Ok(true)
     }
@@ -148,12 +150,12 @@ impl<S: Timed> Timeline<S> {
         self.forecast(disc, Effort::Bounds)
     }
 
-    /// Ends the run at this time.
-    fn stop(&mut self, disc: usize, feature: Feature) {
+    /// Ends the run at this time, for a reason that may be proven.
+    fn stop(&mut self, disc: usize, feature: Feature, proven: bool) {
         let (pair, _) = self.flights.world.names(disc, feature);
         let found = Accumulation {
             limit: [self.now.clone(), self.now.clone()],
-            proven: !S::ROUNDS,
+            proven,
             word: vec![pair],
         };
         self.watch = Some(Watch::ended(found));
