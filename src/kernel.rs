@@ -126,6 +126,12 @@ impl<S: Kernel> Copy for Flight<'_, S> {}
 /// What acts on a disc in flight, and what holds it. Nothing does where motion
 /// is straight.
 pub trait Pull<S: Scalar>: Clone + Debug + Send + Sync + 'static {
+    /// That of a disc, among those of all.
+    #[inline]
+    fn of(pulls: &[Self], disc: usize) -> &Self {
+        &pulls[disc]
+    }
+
     /// Bounds of the acceleration, if there is any.
     #[inline]
     fn acceleration(&self) -> Option<Vec2<Interval>> {
@@ -180,7 +186,13 @@ pub trait Pull<S: Scalar>: Clone + Debug + Send + Sync + 'static {
     }
 }
 
-impl<S: Scalar> Pull<S> for () {}
+impl<S: Scalar> Pull<S> for () {
+    /// Nothing, without a look: that would be a part of what a pair costs.
+    #[inline]
+    fn of(_: &[()], _: usize) -> &() {
+        &()
+    }
+}
 
 /// Two discs in flight.
 #[derive(Debug)]

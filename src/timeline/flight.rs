@@ -108,7 +108,7 @@ impl<S: Kernel> Flights<S> {
         obstacle: Obstacle,
     ) -> Option<Result<Option<Meeting<S>>, S::Doubt>> {
         match obstacle {
-            Obstacle::Wall(wall) if !self.world.pulls[disc].is_held_by(wall) => {
+            Obstacle::Wall(wall) if !S::Pull::of(&self.world.pulls, disc).is_held_by(wall) => {
                 self.world.slides_along(disc, wall).then_some(Ok(None))
             }
             Obstacle::Wall(wall) => {
@@ -151,7 +151,8 @@ impl<S: Kernel> Flights<S> {
     fn skims(&self, disc: usize, feature: Feature) -> bool {
         let skims = |disc: usize, feature| {
             let body = &self.world.discs[disc];
-            !body.is_movable() || self.world.pulls[disc].skims() && body.last == Some(feature)
+            !body.is_movable()
+                || S::Pull::of(&self.world.pulls, disc).skims() && body.last == Some(feature)
         };
         let other = match feature {
             Feature::Disc(other) => skims(other as usize, Feature::Disc(disc as u32)),

@@ -207,7 +207,7 @@ impl<S: Kernel> World<S> {
         Flight {
             disc: &self.discs[disc],
             since,
-            pull: &self.pulls[disc],
+            pull: S::Pull::of(&self.pulls, disc),
         }
     }
 
@@ -257,14 +257,20 @@ impl<S: Kernel> World<S> {
     /// Whether a corner belongs to a wall that holds a disc: it meets it where it
     /// leaves that wall.
     fn slides_to(&self, disc: usize, corner: u32) -> bool {
-        let mut holders = self.pulls[disc].holders().into_iter().flatten();
+        let mut holders = S::Pull::of(&self.pulls, disc)
+            .holders()
+            .into_iter()
+            .flatten();
         holders.any(|wall| self.walls[wall].corners.contains(&corner))
     }
 
     /// Whether a wall is in one line with one that holds a disc, which then does
     /// not meet it, but may slide on to it.
     pub(crate) fn slides_along(&self, disc: usize, wall: usize) -> bool {
-        let mut holders = self.pulls[disc].holders().into_iter().flatten();
+        let mut holders = S::Pull::of(&self.pulls, disc)
+            .holders()
+            .into_iter()
+            .flatten();
         let segment = &self.walls[wall].segment;
         holders.any(|holder| self.walls[holder].segment.is_in_line_with(segment))
     }

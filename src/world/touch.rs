@@ -120,7 +120,7 @@ impl<S: Kernel> World<S> {
     /// is; only a wall along which it moved it goes on to touch, up to its end.
     pub(crate) fn leave_contacts(&mut self, disc: usize, direction: &Vec2<S>) {
         let (walls, position) = (&self.walls, &self.discs[disc].position);
-        let pull = &self.pulls[disc];
+        let pull = S::Pull::of(&self.pulls, disc);
         self.contacts.leave(disc, |feature| {
             let Feature::Wall(wall) = feature else {
                 return false;

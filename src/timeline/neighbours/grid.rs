@@ -210,27 +210,23 @@ impl Grid {
         if self.radii[disc] > self.largest {
             return None;
         }
-        let lasts = self.straight_for(motion);
-        let x = self.follow(motion, 0, time, lasts)?;
-        let y = self.follow(motion, 1, time, lasts)?;
-        let leave = x.leave.min(y.leave).min(time + lasts);
+        let x = self.follow(motion, 0, time)?;
+        let y = self.follow(motion, 1, time)?;
+        let leave = x.leave.min(y.leave).min(motion.until);
         let limit = MARGIN * self.shape.size / 4.0;
         let is_certain = x.error_at(leave) < limit && y.error_at(leave) < limit;
         is_certain.then(|| (self.shape.bucket([x.cell, y.cell]), leave))
     }
 
-    /// For how long a motion is as good as straight.
-    #[inline]
-    fn straight_for(&self, motion: &Motion) -> f64 {
-        if motion.pull == 0.0 {
-            return f64::INFINITY;
-        }
-        (MARGIN * self.shape.size / 8.0 / motion.pull).sqrt()
+    /// For how long a motion is as good as straight, if no coordinate of the
+    /// acceleration is larger than this.
+    pub(super) fn straight_for(&self, pull: f64) -> f64 {
+        (MARGIN * self.shape.size / 8.0 / pull).sqrt()
     }
 
-    /// One coordinate of a motion from a time on, for some time.
+    /// One coordinate of a motion from a time on.
     #[inline]
-    fn follow(&self, motion: &Motion, axis: usize, time: f64, lasts: f64) -> Option<Course> {
+    fn follow(&self, motion: &Motion, axis: usize, time: f64) -> Option<Course> {
         let [position, velocity] = [motion.position[axis], motion.velocity[axis]];
         let (speed, since) = (velocity.value, motion.since.value);
         let start = position.value + speed * (time - since);
@@ -253,11 +249,7 @@ impl Grid {
             known: position.error + speed.abs() * motion.since.error,
             size: position.value.abs() + position.error,
             speed: speed.abs(),
-            uncertain: if motion.pull == 0.0 {
-                velocity.error
-            } else {
-                velocity.error + motion.pull * lasts
-            },
+            uncertain: velocity.error,
             since,
         })
     }

@@ -36,13 +36,12 @@ pub(super) enum Neighbours {
     Near(Box<Grid>),
 }
 
-/// How a disc moves: where it is at a time, how fast, and how much of that a
-/// coordinate of its acceleration changes at the most.
+/// How a disc moves: where it is at a time, and how fast, up to another time.
 pub(super) struct Motion {
     pub(super) position: [Known; 2],
     pub(super) velocity: [Known; 2],
-    pub(super) pull: f64,
     pub(super) since: Known,
+    pub(super) until: f64,
 }
 
 /// A number, and how far off that may be.
@@ -78,17 +77,17 @@ impl Motion {
         Self {
             position: known(&body.position),
             velocity: known(&body.velocity),
-            pull: 0.0,
             since: Known::of(&flights.since[disc]),
+            until: f64::INFINITY,
         }
     }
 
     /// How a disc moves from some time on.
     #[inline]
-    fn at<S: Kernel>(flights: &Flights<S>, disc: usize, time: f64) -> Self {
-        match flights.world.pulls[disc].acceleration() {
+    fn at<S: Kernel>(grid: &Grid, flights: &Flights<S>, disc: usize, time: f64) -> Self {
+        match S::Pull::of(&flights.world.pulls, disc).acceleration() {
             None => Self::of(flights, disc),
-            Some(pull) => Self::falling(flights, disc, time, &pull),
+            Some(pull) => Self::falling(flights, disc, time, &pull).straight_in(grid, &pull),
         }
     }
 
@@ -110,9 +109,23 @@ impl Motion {
         Self {
             position: known(position),
             velocity: known(velocity),
-            pull: pull.x.magnitude().max(pull.y.magnitude()),
             since: Known::within(since),
+            until: f64::INFINITY,
         }
+    }
+
+    /// The same as a straight motion, for as long as it is as good as one in the
+    /// cells of a grid.
+    fn straight_in(mut self, grid: &Grid, pull: &Vec2<Interval>) -> Self {
+        let most = pull.x.magnitude().max(pull.y.magnitude());
+        if most > 0.0 {
+            let lasts = grid.straight_for(most);
+            self.until = self.since.value + lasts;
+            for speed in &mut self.velocity {
+                speed.error += most * lasts;
+            }
+        }
+        self
     }
 }
 
@@ -126,7 +139,8 @@ impl Neighbours {
         let mut grid = Grid::new(&world.hull());
         for disc in 0..world.discs.len() {
             if world.discs[disc].is_movable() || world.rests_for_ever(disc) {
-                grid.settle(disc, &Motion::at(flights, disc, 0.0), 0.0);
+                let motion = Motion::at(&grid, flights, disc, 0.0);
+                grid.settle(disc, &motion, 0.0);
             } else {
                 grid.stray(disc);
             }
@@ -139,7 +153,8 @@ impl Neighbours {
     pub(super) fn update<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
         if let Self::Near(grid) = self {
             let time = flights.since[disc].hull().lo();
-            grid.settle(disc, &Motion::at(flights, disc, time), time);
+            let motion = Motion::at(grid, flights, disc, time);
+            grid.settle(disc, &motion, time);
         }
     }
 
@@ -147,7 +162,8 @@ impl Neighbours {
     /// happens.
     pub(super) fn renew<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize, time: f64) {
         if let Self::Near(grid) = self {
-            grid.renew(disc, &Motion::at(flights, disc, time), time);
+            let motion = Motion::at(grid, flights, disc, time);
+            grid.renew(disc, &motion, time);
         }
     }
 
