@@ -133,6 +133,9 @@ impl Kernel for Filtered {
     }
 
     fn overlap_discs(first: &Disc<Self>, second: &Disc<Self>) -> Decision<Option<Overlap<Self>>> {
+        if screen::are_apart([first, second].map(|disc| Ray::standing(disc, 0.0))) {
+            return Ok(None);
+        }
         let offset = Point::of(&second.position).minus(&Point::of(&first.position));
         let [own, other] = [first, second].map(|disc| Dyadic::from_f64(disc.radius.get()));
         if offset.compare_length(&own.add(&other)) != Less {

@@ -113,6 +113,17 @@ pub(super) fn delay<F: Float>(course: &Course) -> Option<Rounded<F>> {
     }
 }
 
+/// Whether two discs that stand still are surely apart: each side of d·d > R² is
+/// computed to 4 u of itself, unless it vanishes or overflows.
+#[inline]
+pub(super) fn are_apart([one, other]: [Ray; 2]) -> bool {
+    let [x, y] = [0, 1].map(|place| other.position[place] - one.position[place]);
+    let reach = one.radius + other.radius;
+    let (distance, limit) = (x * x + y * y, reach * reach);
+    let is_safe = distance.is_finite() && limit > UNDERFLOW;
+    is_safe && distance > limit * (1.0 + 8.0 * f64::EPSILON)
+}
+
 /// Whether and when two discs meet, of which the second one is known since the
 /// later time.
 #[inline(always)]

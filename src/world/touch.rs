@@ -62,7 +62,7 @@ impl<S: Kernel> World<S> {
     }
 
     /// What of an obstacle a disc touches by construction.
-    #[inline]
+    #[inline(always)]
     pub fn contact(&self, disc: usize, obstacle: Obstacle) -> Option<Feature> {
         if !S::REMEMBERS_CONTACTS {
             return None;
