@@ -93,8 +93,8 @@ pub trait Arithmetic: Timed {
     /// 2^range; none where all are.
     const RANGE: Option<i32>;
 
-    /// What starts a course under gravity, where there is such a thing.
-    const FALL: Option<Fall<Self>>;
+    /// What starts a course under gravity.
+    const FALL: Fall<Self>;
 
     /// How times are warped, under drag.
     const WARP: Warp<Self>;
@@ -128,7 +128,7 @@ pub trait Arithmetic: Timed {
 
 impl Arithmetic for f64 {
     const NAME: &'static str = "f64";
-    const FALL: Option<Fall<Self>> = Some(effects::fall);
+    const FALL: Fall<Self> = effects::fall;
     const WARP: Warp<Self> = effects::BINARY64;
     /// No product of four numbers overflows or vanishes.
     const RANGE: Option<i32> = Some(Number::BINARY64_RANGE);
@@ -159,7 +159,7 @@ impl Arithmetic for f64 {
 
 impl Arithmetic for Filtered {
     const NAME: &'static str = "filtered";
-    const FALL: Option<Fall<Self>> = Some(effects::fall);
+    const FALL: Fall<Self> = effects::fall;
     const WARP: Warp<Self> = effects::FILTERED;
     /// The numbers can be stored, with all their bits.
     const RANGE: Option<i32> = Some(1000);
@@ -189,7 +189,7 @@ impl Arithmetic for Filtered {
 
 impl Arithmetic for Exact {
     const NAME: &'static str = "exact";
-    const FALL: Option<Fall<Self>> = Some(effects::fall);
+    const FALL: Fall<Self> = effects::fall;
     const WARP: Warp<Self> = effects::EXACT;
     const RANGE: Option<i32> = None;
 

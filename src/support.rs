@@ -52,12 +52,12 @@ pub fn check_support<S: Arithmetic>(
     if scene.periodic().is_some() {
         return Err(Unsupported::Effect { place: "periodic" });
     }
-    check_effects::<S>(scene, algorithm)?;
+    check_effects(scene, algorithm)?;
     numbers(scene).try_for_each(|(place, number)| check_number::<S>(place, number))
 }
 
 /// The frame algorithms take all effects.
-fn check_effects<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Result<(), Unsupported> {
+fn check_effects(scene: &Scene, algorithm: Algorithm) -> Result<(), Unsupported> {
     let effects = scene.effects();
     if algorithm != Algorithm::Timeline {
         return Ok(());
@@ -70,11 +70,7 @@ fn check_effects<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Result<(
         })
     };
     match (&effects.gravity, &effects.drag) {
-        (None, None) => Ok(()),
-        (Some(_), None) => match S::FALL {
-            Some(_) => Ok(()),
-            None => refuse("effects.gravity", &format!("in {}", S::NAME)),
-        },
+        (_, None) => Ok(()),
         (Some(_), Some(_)) => refuse("effects.drag", "together with gravity"),
         (None, Some(_)) if has_moving_wall(scene) => refuse(
             "effects.drag",

@@ -72,8 +72,8 @@ pub fn course<S: Arithmetic>(
     precision: S::Precision,
 ) -> Result<Box<dyn Course<S>>, S::Doubt> {
     let number = |written: &Number| S::from_number(written, precision);
-    if let (Some([x, y]), Some(fall)) = (&effects.gravity, S::FALL) {
-        return fall(world, &Vec2::new(number(x), number(y)), until, setup);
+    if let Some([x, y]) = &effects.gravity {
+        return S::FALL(world, &Vec2::new(number(x), number(y)), until, setup);
     }
     if let Some(rate) = &effects.drag {
         return Ok(Box::new(Dragged::new(

@@ -14,7 +14,7 @@
 use super::Course;
 use crate::body::Disc;
 use crate::impact::{Contact, Impact};
-use crate::scalar::{Exact, Filtered, Number, Scalar};
+use crate::scalar::{Dyadic, Exact, Filtered, Scalar};
 use crate::timeline::{Accumulation, Setup, Timed, Timeline};
 use crate::world::World;
 
@@ -27,10 +27,14 @@ pub struct Warp<S> {
     pub undecay: fn(&S) -> S,
 }
 
+/// The largest number below 1. To that the decay is rounded, so that warped time
+/// stays below 1/k where numbers round, too.
+const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
+
 /// Binary64, with the functions of the platform.
 pub(crate) const BINARY64: Warp<f64> = Warp {
-    decay: |x| -(-x).exp_m1(),
-    undecay: |x| -(-x).ln_1p(),
+    decay: |x| (-(-x).exp_m1()).min(BELOW_ONE),
+    undecay: |x| -(-x.min(BELOW_ONE)).ln_1p(),
 };
 
 /// Proven bounds.
@@ -41,17 +45,14 @@ pub(crate) const EXACT: Warp<Exact> = Warp {
 
 /// Bounds of so many bits, rounded: the same on every platform.
 pub(crate) const FILTERED: Warp<Filtered> = Warp {
-    decay: |x| rounded(x, Exact::decay),
-    undecay: |x| rounded(x, Exact::undecay),
+    decay: |x| Filtered::new(rounded(x.get(), Exact::decay).min(BELOW_ONE)),
+    undecay: |x| Filtered::new(rounded(x.get().min(BELOW_ONE), Exact::undecay)),
 };
 
 const BITS: u32 = 128;
 
-fn rounded(x: &Filtered, function: fn(&Exact) -> Exact) -> Filtered {
-    match Number::try_from(x.get()) {
-        Ok(number) => Filtered::new(function(&Exact::from_number(&number, BITS)).to_f64()),
-        Err(_) => *x,
-    }
+fn rounded(x: f64, function: fn(&Exact) -> Exact) -> f64 {
+    function(&Exact::from_dyadic(Dyadic::from_f64(x), BITS)).to_f64()
 }
 
 /// A timeline in warped time.

@@ -21,8 +21,8 @@ use std::convert::Infallible;
 use super::{Descent, Polynomial, Roots, Zero, first_descent};
 
 impl Roots for f64 {
-    fn descent(f: &Polynomial<Self>, grazes: usize) -> Result<Option<Descent<Self>>, Infallible> {
-        Ok(first_descent(zeros(f), grazes))
+    fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, Infallible> {
+        Ok(first_descent(zeros(f)))
     }
 }
 

@@ -50,19 +50,16 @@ pub struct Descent<S> {
 
 /// A number type that finds zeros of polynomials with such coefficients.
 pub trait Roots: Scalar {
-    /// The first t > 0 at which f is zero and has been positive just before,
-    /// after so many `grazes`.
+    /// The first t > 0 at which f is zero and has been positive just before.
     ///
     /// Where f is negative at first it has to rise before. A zero at 0 does not
     /// count, and what it leaves to know is the next coefficient's sign: whoever
-    /// knows of it by structure gives 0 as the first coefficient. At most `grazes`
-    /// zeros at the start are skipped where f but touches zero, and none beyond a
-    /// descent to what is below.
+    /// knows of it by structure gives 0 as the first coefficient.
     ///
     /// # Errors
     ///
     /// The coefficients leave open whether there is such a time, or which.
-    fn descent(f: &Polynomial<Self>, grazes: usize) -> Result<Option<Descent<Self>>, Self::Doubt>;
+    fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, Self::Doubt>;
 }
 
 /// A zero, with the signs on both sides of it.
@@ -73,22 +70,13 @@ struct Zero<T> {
     after: Ordering,
 }
 
-/// The first of all zeros, in order, to which a polynomial descends, after so
-/// many grazes.
-fn first_descent<T>(zeros: impl IntoIterator<Item = Zero<T>>, grazes: usize) -> Option<Descent<T>> {
-    let descents = zeros.into_iter().filter(|zero| zero.before == Greater);
-    let mut left = grazes;
-    for Zero {
-        place: time, after, ..
-    } in descents
-    {
-        let graze = after == Greater;
-        if !graze || left == 0 {
-            return Some(Descent { time, graze });
-        }
-        left -= 1;
-    }
-    None
+/// The first of all zeros, in order, to which a polynomial descends.
+fn first_descent<T>(zeros: impl IntoIterator<Item = Zero<T>>) -> Option<Descent<T>> {
+    let first = zeros.into_iter().find(|zero| zero.before == Greater)?;
+    Some(Descent {
+        time: first.place,
+        graze: first.after == Greater,
+    })
 }
 
 impl<T> Polynomial<T> {

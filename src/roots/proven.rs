@@ -13,16 +13,16 @@ use super::{Descent, Polynomial, Roots};
 use crate::scalar::{Dyadic, Exact, Interval, Scalar, Undecided};
 
 impl Roots for Interval {
-    fn descent(f: &Polynomial<Self>, _: usize) -> Result<Option<Descent<Self>>, Undecided> {
+    fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, Undecided> {
         Ok(first_crossing(f)?.map(|span| enclosed(span, f)))
     }
 }
 
 impl Roots for Exact {
-    fn descent(f: &Polynomial<Self>, grazes: usize) -> Result<Option<Descent<Self>>, Undecided> {
+    fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, Undecided> {
         let bits = f.0.iter().map(Self::precision).max().unwrap_or_default();
         let descent = match whole(f) {
-            Some(whole) => Algebraic::first_descent(&whole, grazes).map(|descent| Descent {
+            Some(whole) => Algebraic::first_descent(&whole).map(|descent| Descent {
                 time: descent.time.into_exact(bits),
                 graze: descent.graze,
             }),

@@ -69,6 +69,11 @@ impl Exact {
         Self::plain(Value::from_ratio(ratio, bits), bits)
     }
 
+    /// A number of which nothing is known.
+    pub(crate) fn unknown(bits: u32) -> Self {
+        Self::plain(Value::Ball(Ball::unknown()), bits)
+    }
+
     /// A number between two bounds.
     pub(crate) fn enclosing([lo, hi]: [BigRational; 2], bits: u32) -> Self {
         if lo == hi {

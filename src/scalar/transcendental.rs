@@ -122,15 +122,18 @@ impl Exact {
         )
     }
 
-    /// -ln (1 - x), for x between 0 and 1.
+    /// -ln (1 - x), for x between 0 and 1: anything if x may be 1.
     pub(crate) fn undecay(&self) -> Self {
         let bits = self.precision();
         let Some((lo, hi)) = self.enclosure() else {
             return self.clone();
         };
         let one = BigRational::one();
-        if lo.is_zero() && hi.is_zero() || hi >= one {
+        if lo.is_zero() && hi.is_zero() {
             return self.clone();
+        }
+        if hi >= one {
+            return Self::unknown(bits);
         }
         let [_, least] = ln(&(one.clone() - lo), bits).map(|bound| -bound);
         let [most, _] = ln(&(one - hi), bits).map(|bound| -bound);

@@ -73,6 +73,22 @@ fn a_wall_that_is_never_reached() {
     }
 }
 
+/// Where numbers round, neither: 1 - e^-50 is 1 to the nearest, but warped time
+/// stays below. What is half as far is met, at ln 2.
+#[test]
+fn a_wall_that_rounding_does_not_reach_either() {
+    for (distance, impacts) in [("2", 0), ("3/2", 1)] {
+        let scene = towards_a_wall("1", distance);
+        let rounded = in_binary64(&scene).impacts;
+        assert_eq!(rounded.len(), impacts);
+        let filtered = complete::<Filtered>(&scene, Algorithm::Timeline).impacts;
+        assert_eq!(filtered.len(), impacts);
+        for time in rounded.iter().map(|impact| impact.time) {
+            assert_eq!(time, std::f64::consts::LN_2);
+        }
+    }
+}
+
 /// A gap of 1 closes at ln 2, at a speed of 1, of which 1/4 and 3/4 are left to
 /// the discs: half of what they would have at the start.
 #[test]

@@ -169,7 +169,7 @@ impl Falling {
                 -side[power].clone()
             }
         };
-        let back = || descent(&[signed(1), signed(2)], 0, bits).map(|(time, _)| time);
+        let back = || descent(&[signed(1), signed(2)], bits).map(|(time, _)| time);
         let overlaps = &side[0] * &side[0] <= reach_squared && is_opposite(&zero());
         let mut times: Vec<Bounds> = entries(&side, &reach_squared, bits)
             .into_iter()
@@ -213,14 +213,14 @@ fn entries(side: &[BigRational], reach_squared: &BigRational, bits: usize) -> Ve
         }
     }
     f[0] -= reach_squared;
-    let Some((first, _)) = descent(&f, 0, bits) else {
+    let Some((first, _)) = descent(&f, bits) else {
         return Vec::new();
     };
     // Beyond the first, which may not be quite left behind.
     let from = &first[1]
         + BigRational::new(1.into(), 1_i64.into())
             / BigRational::from_integer(num_bigint::BigInt::from(1) << (bits / 2));
-    let second = descent(&shifted(&f, &from), 0, bits);
+    let second = descent(&shifted(&f, &from), bits);
     let second = second.map(|(time, _)| time.map(|time| time + &from));
     [Some(first), second].into_iter().flatten().collect()
 }
@@ -261,13 +261,13 @@ fn gap([d, v, h]: &Arc, reach: &BigRational) -> Vec<BigRational> {
 fn enter(gap: Vec<BigRational>, parted: bool, bits: usize) -> Option<Bounds> {
     let is_apart = gap[0].is_positive() && !parted;
     if is_apart {
-        return descent(&gap, 0, bits).map(|(time, _)| time);
+        return descent(&gap, bits).map(|(time, _)| time);
     }
     if !parted && gap[1].is_negative() {
         return Some([BigRational::zero(), BigRational::zero()]);
     }
     assert!(gap[1].is_positive(), "no more than parts");
-    descent(&gap[1..], 0, bits).map(|(time, _)| time)
+    descent(&gap[1..], bits).map(|(time, _)| time)
 }
 
 /// What both bounds round to.

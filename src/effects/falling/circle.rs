@@ -78,7 +78,7 @@ fn powers<S: Scalar>(arc: &Arc<S>) -> [S; 4] {
 }
 
 fn descent<S: Roots>(coefficients: [S; 5]) -> Met<S> {
-    let met = S::descent(&Polynomial(coefficients), 0)?;
+    let met = S::descent(&Polynomial(coefficients))?;
     Ok(met.map(|met| Encounter {
         graze: met.graze,
         ..Encounter::impact(met.time)

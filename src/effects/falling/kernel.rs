@@ -13,9 +13,9 @@ use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 
 impl<S: Roots> Roots for Falling<S> {
-    fn descent(f: &Polynomial<Self>, grazes: usize) -> Result<Option<Descent<Self>>, S::Doubt> {
+    fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, S::Doubt> {
         let f = Polynomial(f.0.clone().map(|number| number.0));
-        let met = S::descent(&f, grazes)?;
+        let met = S::descent(&f)?;
         Ok(met.map(|Descent { time, graze }| Descent {
             time: Self(time),
             graze,

@@ -37,7 +37,7 @@ pub(crate) struct Algebraic {
 
 impl Algebraic {
     /// The first descent of a polynomial, as in [`Roots`](super::Roots).
-    pub(crate) fn first_descent(f: &Polynomial<Dyadic>, grazes: usize) -> Option<Descent<Self>> {
+    pub(crate) fn first_descent(f: &Polynomial<Dyadic>) -> Option<Descent<Self>> {
         if let Ok(crossing) = first_crossing(&f.map(hull)) {
             return crossing.map(|span| Descent {
                 time: Self::new(f.clone(), span.map(|place| Dyadic::from_f64(*place))),
@@ -45,7 +45,7 @@ impl Algebraic {
             });
         }
         let simple = Whole::of(f).square_free().to_dyadic();
-        let Descent { time, graze } = first_descent(signed(f, isolated(&simple)), grazes)?;
+        let Descent { time, graze } = first_descent(signed(f, isolated(&simple)))?;
         let time = Self::new(simple, time);
         Some(Descent { time, graze })
     }

@@ -16,7 +16,7 @@ fn root(number: BigRational) -> Algebraic {
 }
 
 fn descent(f: &[BigRational]) -> Algebraic {
-    Algebraic::first_descent(&dyadic(f), 0).unwrap().time
+    Algebraic::first_descent(&dyadic(f)).unwrap().time
 }
 
 fn number(number: BigRational) -> Dyadic {
@@ -137,6 +137,22 @@ fn extremes_round_as_they_should() {
     assert_eq!(times(ratio(3, 1) * power_of_two(-1076)), 2.0 * least);
 }
 
+/// (t - 1)² (t - 2) (t - 3) touches zero from above, falls and rises; what is
+/// opposite touches it from below, rises and falls.
+#[test]
+fn all_descents_are_in_order() {
+    let factors = [1, 1, 2, 3].map(|zero| linear(ratio(zero, 1)));
+    for (sign, expected) in [(1, &[(1.0, true), (2.0, false)][..]), (-1, &[(3.0, false)])] {
+        let mut factors = factors.to_vec();
+        factors.push(vec![ratio(sign, 1)]);
+        let found = Algebraic::descents(&dyadic(&product(&factors))).into_iter();
+        let found: Vec<_> = found
+            .map(|found| (found.time.to_f64(), found.graze))
+            .collect();
+        assert_eq!(found, expected);
+    }
+}
+
 #[test]
 fn even_zeros_are_grazes() {
     // (8 - t²)².
@@ -145,15 +161,14 @@ fn even_zeros_are_grazes() {
         vec![ratio(8, 1), ratio(0, 1), ratio(-1, 1)],
     ];
     let f = dyadic(&product(&square));
-    let found = Algebraic::first_descent(&f, 0).unwrap();
+    let found = Algebraic::first_descent(&f).unwrap();
     assert!(found.graze);
     assert_eq!(found.time.order(&root(ratio(8, 1))), Equal);
-    assert!(Algebraic::first_descent(&f, 1).is_none());
     // A fourfold zero, and a triple one.
     for (times, even) in [(4, true), (3, false)] {
         let mut factors = vec![linear(ratio(3, 4)); times];
         factors.push(vec![ratio(if even { 5 } else { -5 }, 1)]);
-        let found = Algebraic::first_descent(&dyadic(&product(&factors)), 0).unwrap();
+        let found = Algebraic::first_descent(&dyadic(&product(&factors))).unwrap();
         assert_eq!((found.graze, found.time.to_f64()), (even, 0.75));
     }
 }
@@ -192,8 +207,8 @@ proptest! {
         [f, g] in prop::array::uniform2(polynomial()),
         offsets in prop::array::uniform2(-2..3_i64),
     ) {
-        let solved = [&f, &g].map(|f| Algebraic::first_descent(&dyadic(f), 0));
-        let expected = [&f, &g].map(|f| sturm::descent(f, 0, WIDTH));
+        let solved = [&f, &g].map(|f| Algebraic::first_descent(&dyadic(f)));
+        let expected = [&f, &g].map(|f| sturm::descent(f, WIDTH));
         for (solved, expected) in solved.iter().zip(&expected) {
             prop_assert_eq!(solved.as_ref().map(|found| found.graze), expected.as_ref().map(|(_, graze)| *graze));
         }
@@ -220,7 +235,7 @@ proptest! {
         place in prop::array::uniform3(-4.0..4.0_f64),
         offset in -4..4_i64,
     ) {
-        let Some(([low, high], _)) = sturm::descent(&f, 0, WIDTH) else {
+        let Some(([low, high], _)) = sturm::descent(&f, WIDTH) else {
             return Ok(());
         };
         let offset = ratio(offset, 4);

@@ -67,38 +67,31 @@ pub(super) fn dyadic(f: &[BigRational]) -> Polynomial<Dyadic> {
     }))
 }
 
-fn solved(f: &[BigRational], grazes: usize) -> Option<Descent<Exact>> {
-    Exact::descent(&exact(f), grazes).unwrap()
+fn solved(f: &[BigRational]) -> Option<Descent<Exact>> {
+    Exact::descent(&exact(f)).unwrap()
 }
 
 /// The descent, and whether a graze, at rational times.
-fn rational(f: &[BigRational], grazes: usize) -> Option<(BigRational, bool)> {
-    solved(f, grazes).map(|Descent { time, graze }| {
+fn rational(f: &[BigRational]) -> Option<(BigRational, bool)> {
+    solved(f).map(|Descent { time, graze }| {
         assert!(time.is_rational(), "{time:?}");
         (time.enclosure().unwrap().0, graze)
     })
 }
 
-/// What has zeros of such multiplicities, by counting them: the sign before a
+/// The first descent of what has these zeros, by counting them: the sign before a
 /// zero turns with each zero that is not below it.
-fn expected(zeros: &[BigRational], positive: bool, grazes: usize) -> Option<(BigRational, bool)> {
+fn expected(zeros: &[BigRational], positive: bool) -> Option<(BigRational, bool)> {
     let mut places = zeros.to_vec();
     places.retain(Signed::is_positive);
     places.sort();
-    places.dedup();
-    let mut left = grazes;
-    for place in places {
-        let turns = zeros.iter().filter(|zero| **zero >= place).count();
-        let even = zeros.iter().filter(|zero| **zero == place).count() % 2 == 0;
-        if (turns % 2 == 0) != positive {
-            continue;
-        }
-        if !even || left == 0 {
-            return Some((place, even));
-        }
-        left -= 1;
-    }
-    None
+    let is_descent = |place: &BigRational| {
+        let turns = zeros.iter().filter(|zero| *zero >= place).count();
+        (turns % 2 == 0) == positive
+    };
+    let place = places.into_iter().find(is_descent)?;
+    let even = zeros.iter().filter(|zero| **zero == place).count() % 2 == 0;
+    Some((place, even))
 }
 
 /// Whether an enclosure holds a number x with this square, and is narrow.
@@ -120,16 +113,16 @@ fn a_disc_falls_onto_a_disc() {
     ];
     let number = |n: i32| Exact::from_integer(n).with_bits(BITS);
     let time = ((number(4) - number(3).sqrt()) * number(2)).sqrt();
-    let found = solved(&f, 0).unwrap();
+    let found = solved(&f).unwrap();
     assert!(!found.graze && found.time.accuracy().unwrap() >= i64::from(BITS) - 8);
     assert!((found.time - &time).sign().is_err());
 
-    let near = f64::descent(&binary64(&f), 0).unwrap().unwrap();
+    let near = f64::descent(&binary64(&f)).unwrap().unwrap();
     assert!((near.time - time.to_f64()).abs() <= f64::EPSILON * 2.0 && !near.graze);
-    let bounds = Interval::descent(&interval(&f), 0).unwrap().unwrap().time;
+    let bounds = Interval::descent(&interval(&f)).unwrap().unwrap().time;
     assert!(bounds.lo() <= time.hull().lo() && time.hull().hi() <= bounds.hi());
     assert!(bounds.hi() - bounds.lo() < 1e-14);
-    let sharp = Algebraic::first_descent(&dyadic(&f), 0).unwrap().time;
+    let sharp = Algebraic::first_descent(&dyadic(&f)).unwrap().time;
     assert_eq!(sharp.to_f64(), time.to_f64());
 }
 
@@ -143,12 +136,10 @@ fn a_disc_falls_past_a_disc() {
         ratio(0, 1),
         ratio(1, 4),
     ];
-    assert_eq!(rational(&f, 0), Some((ratio(4, 1), true)));
-    assert_eq!(rational(&f, 1), None);
-    assert!(Interval::descent(&interval(&f), 0).is_err());
-    let seen = f64::descent(&binary64(&f), 0).unwrap().unwrap();
+    assert_eq!(rational(&f), Some((ratio(4, 1), true)));
+    assert!(Interval::descent(&interval(&f)).is_err());
+    let seen = f64::descent(&binary64(&f)).unwrap().unwrap();
     assert_eq!((seen.time, seen.graze), (4.0, true));
-    assert!(f64::descent(&binary64(&f), 1).unwrap().is_none());
     // Twice as far above: at √(2 · 16).
     let f = [
         ratio(256, 1),
@@ -157,7 +148,7 @@ fn a_disc_falls_past_a_disc() {
         ratio(0, 1),
         ratio(1, 4),
     ];
-    let found = solved(&f, 0).unwrap();
+    let found = solved(&f).unwrap();
     assert!(found.graze && is_root_of(&found.time, &ratio(32, 1)));
 }
 
@@ -178,11 +169,11 @@ fn close_zeros_are_told_apart() {
             };
             let below = with(-power_of_two(-2 * n));
             let first = (ratio(1, 1) - power_of_two(-n), false);
-            assert_eq!(rational(&below, 0), Some(first.clone()));
-            let sharp = Algebraic::first_descent(&dyadic(&below), 0).unwrap();
+            assert_eq!(rational(&below), Some(first.clone()));
+            let sharp = Algebraic::first_descent(&dyadic(&below)).unwrap();
             assert_eq!(sharp.time.order_to(&dyadic(&[first.0]).0[0]), Equal);
-            assert_eq!(rational(&with(ratio(0, 1)), 0), Some((ratio(1, 1), true)));
-            assert!(solved(&with(power_of_two(-2 * n)), 0).is_none());
+            assert_eq!(rational(&with(ratio(0, 1))), Some((ratio(1, 1), true)));
+            assert!(solved(&with(power_of_two(-2 * n))).is_none());
         }
     }
 }
@@ -194,7 +185,7 @@ fn close_surds_are_enclosed() {
         let mut f = product(&[linear(ratio(1, 1)), linear(ratio(1, 1))]);
         f[0] -= power_of_two(1 - 2 * n);
         let f = product(&[f, vec![ratio(3, 1), ratio(1, 1), ratio(1, 1)]]);
-        let (low, high) = solved(&f, 0).unwrap().time.enclosure().unwrap();
+        let (low, high) = solved(&f).unwrap().time.enclosure().unwrap();
         let square = |time: BigRational| (ratio(1, 1) - time).pow(2);
         assert!(square(high) <= power_of_two(1 - 2 * n));
         assert!(square(low) >= power_of_two(1 - 2 * n));
@@ -212,12 +203,10 @@ fn zeros_of_all_sizes() {
         // The sign at 0 is that of (-1)^degree.
         let first = usize::from(skipped % 2 == 1) + skipped;
         let expected = sizes.get(first).map(|size| (power_of_two(*size), false));
-        assert_eq!(rational(&f, 0), expected);
-        let sharp = Algebraic::first_descent(&dyadic(&f), 0);
+        assert_eq!(rational(&f), expected);
+        let sharp = Algebraic::first_descent(&dyadic(&f));
         let time = sharp.map(|sharp| sharp.time.to_f64());
-        let near = f64::descent(&binary64(&f), 0)
-            .unwrap()
-            .map(|near| near.time);
+        let near = f64::descent(&binary64(&f)).unwrap().map(|near| near.time);
         let error = time.zip(near).map(|(time, near)| (near / time - 1.0).abs());
         assert!(error.is_none_or(|error| error <= 4.0 * f64::EPSILON));
         assert_eq!(time.is_some(), near.is_some());
@@ -234,10 +223,13 @@ fn enclosed_coefficients() {
         let root = number(2).sqrt();
         let constant = Exact::from_rational(ratio(2, 1) + constant, bits);
         let linear = -(root * number(2));
-        Exact::descent(
-            &Polynomial([constant, linear, number(1), number(0), number(0)]),
-            0,
-        )
+        Exact::descent(&Polynomial([
+            constant,
+            linear,
+            number(1),
+            number(0),
+            number(0),
+        ]))
     };
     for n in [20, 100, 400] {
         let bits = 2 * n as u32 + 50;
@@ -287,7 +279,6 @@ proptest! {
         zeros in prop::collection::vec(place(), 0..5),
         quadratic in positive(),
         is_positive in any::<bool>(),
-        grazes in 0..3_usize,
     ) {
         let mut factors: Vec<_> = zeros.iter().cloned().map(linear).collect();
         if zeros.len() <= 2 {
@@ -295,9 +286,9 @@ proptest! {
         }
         factors.push(vec![ratio(if is_positive { 7 } else { -7 }, 3)]);
         let f = product(&factors);
-        let expected = expected(&zeros, is_positive, grazes);
-        prop_assert_eq!(rational(&f, grazes), expected.clone());
-        if let Ok(found) = Interval::descent(&interval(&f), grazes) {
+        let expected = expected(&zeros, is_positive);
+        prop_assert_eq!(rational(&f), expected.clone());
+        if let Ok(found) = Interval::descent(&interval(&f)) {
             prop_assert_eq!(found.is_some(), expected.is_some());
             let (low, high) = found.map_or_else(Default::default, |found| found.time.enclosure().unwrap());
             let place = expected.map_or_else(Default::default, |(place, _)| place);
@@ -314,17 +305,17 @@ proptest! {
         let zeros: Vec<_> = zeros.into_iter().map(|n| ratio(n, 16)).collect();
         let mut factors: Vec<_> = zeros.iter().cloned().map(linear).collect();
         factors.push(vec![ratio(if is_positive { 1 } else { -1 }, 1)]);
-        let found = f64::descent(&binary64(&product(&factors)), 0).unwrap();
+        let found = f64::descent(&binary64(&product(&factors))).unwrap();
         let found = found.map(|found| (BigRational::from_float(found.time).unwrap(), found.graze));
-        prop_assert_eq!(found, expected(&zeros, is_positive, 0));
+        prop_assert_eq!(found, expected(&zeros, is_positive));
     }
 
     /// With coefficients that are enclosed, whose common factor changes nothing.
     #[test]
     fn enclosed_coefficients_leave_the_same(f in coefficients()) {
         let three = Exact::from_integer(3).with_bits(BITS).sqrt();
-        let found = Exact::descent(&exact(&f).map(|a| three.clone() * a), 0);
-        let expected = solved(&f, 0);
+        let found = Exact::descent(&exact(&f).map(|a| three.clone() * a));
+        let expected = solved(&f);
         let is_random = f.iter().any(|a| a.denom().bits() > 10);
         prop_assert!(found.is_ok() || !is_random);
         if let Ok(found) = found {
@@ -338,9 +329,9 @@ proptest! {
     }
 
     #[test]
-    fn as_sturm_has_it(f in coefficients(), grazes in 0..2_usize) {
-        let expected = sturm::descent(&f, grazes, 100);
-        let found = solved(&f, grazes);
+    fn as_sturm_has_it(f in coefficients()) {
+        let expected = sturm::descent(&f, 100);
+        let found = solved(&f);
         prop_assert_eq!(
             found.as_ref().map(|found| found.graze),
             expected.as_ref().map(|(_, graze)| *graze)
@@ -351,7 +342,7 @@ proptest! {
         let (from, to) = found.time.enclosure().unwrap();
         prop_assert!(low <= to && from <= high);
         prop_assert!(found.time.accuracy().is_none_or(|bits| bits >= i64::from(BITS) - 8));
-        if let Ok(rough) = Interval::descent(&interval(&f), grazes) {
+        if let Ok(rough) = Interval::descent(&interval(&f)) {
             let (from, to) = rough.unwrap().time.enclosure().unwrap();
             prop_assert!(!graze && from <= high && low <= to);
         }
@@ -361,8 +352,8 @@ proptest! {
     #[test]
     fn binary64_descends_where_it_should_or_faintly(f in coefficients()) {
         let exactly: Coefficients = binary64(&f).0.map(|a| BigRational::from_float(a).unwrap()).to_vec();
-        let found = f64::descent(&binary64(&f), 0).unwrap();
-        let expected = solved(&exactly, 0);
+        let found = f64::descent(&binary64(&f)).unwrap();
+        let expected = solved(&exactly);
         if let Some(time) = found.as_ref().map(|found| found.time) {
             let [low, at, high] = [time.next_down(), time, time.next_up()].map(|t| BigRational::from_float(t).unwrap());
             let value = |t: &BigRational| sturm::value(&exactly, t);

@@ -75,22 +75,13 @@ impl Sturm {
     }
 }
 
-/// The first descent above 0, after so many grazes: between two places that are
+/// The first descent above 0: between two places that are
 /// less than a part in 2^`bits` of 1 apart, and whether it is a graze.
-pub(crate) fn descent(
-    f: &[BigRational],
-    grazes: usize,
-    bits: usize,
-) -> Option<([BigRational; 2], bool)> {
+pub(crate) fn descent(f: &[BigRational], bits: usize) -> Option<([BigRational; 2], bool)> {
     let sturm = Sturm::new(f);
-    let mut left = grazes;
     for mut ends in isolated(f, &sturm) {
         let [before, after] = ends.clone().map(|end| value(f, &end).is_positive());
         if !before {
-            continue;
-        }
-        if after && left > 0 {
-            left -= 1;
             continue;
         }
         let width = ratio(1, 2).pow(bits as i32);

@@ -11,12 +11,10 @@
 //! The boxes shrink with the time that is left. Where they are too large the
 //! answer is no, and the next impacts are closer to the limit.
 
-use std::cmp::Ordering::{Greater, Less};
-
 use super::trio::{Side, Trio};
 use crate::body::{BodyId, Mass};
 use crate::kernel::Kernel;
-use crate::scalar::{Interval, Scalar};
+use crate::scalar::Interval;
 use crate::timeline::{Timed, Timeline};
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
@@ -125,14 +123,14 @@ pub(super) fn is_apart(
 fn stays_at_walls<S: Kernel>(world: &World<Interval>, trio: &Trio<S>) -> bool {
     trio.sides.iter().all(|side| match side.body {
         BodyId::Disc(_) => true,
-        BodyId::Wall(wall) => {
-            let segment = &world.walls[wall as usize].segment;
-            let offset = world.discs[trio.middle].position.minus(&segment.from);
-            let foot = offset.dot(&segment.along);
-            let is_before_end = foot.compare(&segment.length_squared) == Ok(Less);
-            foot.sign() == Ok(Greater) && is_before_end
-        }
+        BodyId::Wall(wall) => stays_beside(world, trio.middle, wall as usize),
     })
+}
+
+/// Whether all of a disc's box is between the ends of a wall.
+pub(super) fn stays_beside(world: &World<Interval>, disc: usize, wall: usize) -> bool {
+    let segment = &world.walls[wall].segment;
+    segment.is_surely_beside(&world.discs[disc].position)
 }
 
 /// The least interval that contains two.

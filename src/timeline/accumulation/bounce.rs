@@ -8,10 +8,10 @@
 //! It is told as soon as the rest of the series is [`CLOSE`] to nothing, seen
 //! from the start of the run, and nothing else can happen in it: no other disc
 //! meets anything, and the disc's box, of what it can cover in that time, touches
-//! no other body.
+//! no other body and stays beside the wall.
 
 use super::Accumulation;
-use super::alone::is_apart;
+use super::alone::{is_apart, stays_beside};
 use crate::body::{BodyId, Feature, Pair};
 use crate::respond::Restitution;
 use crate::scalar::{Interval, Scalar};
@@ -31,7 +31,12 @@ impl<S: Timed> Timeline<S> {
         };
         let (disc, wall) = (disc as usize, wall as usize);
         let world = &self.flights.world;
-        let Restitution::Newton { walls: kept, .. } = &world.restitution else {
+        let Restitution::Newton {
+            walls: kept,
+            elastic_below: None,
+            ..
+        } = &world.restitution
+        else {
             return None;
         };
         if world.discs[disc].last != Some(Feature::Wall(wall as u32)) {
@@ -62,11 +67,10 @@ impl<S: Timed> Timeline<S> {
             let around = Interval::new(-reach, reach);
             world.discs[body].position = here.position.map(|coordinate| coordinate.hull() + around);
         }
-        let is_it = |other| other == disc;
-        self.others_are_free(is_it, end)
-            && is_apart(&world, disc, |other| {
-                other == Obstacle::Wall(wall) || other == Obstacle::Disc(disc)
-            })
+        let is_it = |other| other == Obstacle::Wall(wall) || other == Obstacle::Disc(disc);
+        self.others_are_free(|other| other == disc, end)
+            && is_apart(&world, disc, is_it)
+            && stays_beside(&world, disc, wall)
     }
 }
 

@@ -139,7 +139,7 @@ pub(super) fn divided(gap: &Polynomial<Dyadic>, power: usize) -> Polynomial<Dyad
 }
 
 fn descent(f: &Polynomial<Dyadic>) -> Option<Delay> {
-    Algebraic::first_descent(f, 0).map(Delay::from)
+    Algebraic::first_descent(f).map(Delay::from)
 }
 
 /// The first of two meetings.
