@@ -123,9 +123,9 @@ impl<S: Kernel> Clone for Flight<'_, S> {
 
 impl<S: Kernel> Copy for Flight<'_, S> {}
 
-/// What acts on a disc in flight, and what holds it. Nothing does where motion
-/// is straight.
-pub trait Pull<S: Scalar>: Clone + Debug + Send + Sync + 'static {
+/// What acts on a disc in flight, and what holds it: by default nothing, as where
+/// motion is straight.
+pub trait Pull<S: Scalar>: Clone + Debug + Default + Send + Sync + 'static {
     /// That of a disc, among those of all.
     #[inline]
     fn of(pulls: &[Self], disc: usize) -> &Self {
@@ -331,9 +331,6 @@ pub trait Kernel: Scalar {
     /// Whether free motion is straight: bodies that have parted then do not meet
     /// again before one of them collides.
     const IS_STRAIGHT: bool = true;
-
-    /// What acts on a disc under some gravity.
-    fn pull(disc: &Disc<Self>, gravity: Option<&Vec2<Self>>) -> Self::Pull;
 
     /// Where a disc is after it has been in flight for so long.
     #[inline]
@@ -542,8 +539,6 @@ impl Kernel for f64 {
 
     const GLIDES: bool = true;
 
-    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
-
     #[inline]
     fn time_within(bounds: Interval) -> Option<Self> {
         Some(bounds.lo())
@@ -569,20 +564,14 @@ impl Kernel for f64 {
 impl Kernel for Interval {
     type Time = Self;
     type Pull = ();
-
-    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 }
 
 impl Kernel for Exact {
     type Time = Self;
     type Pull = ();
-
-    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 }
 
 impl Kernel for Expression {
     type Time = Self;
     type Pull = ();
-
-    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
 }

@@ -74,8 +74,6 @@ impl Kernel for Filtered {
 
     const GLIDES: bool = true;
 
-    fn pull(_: &Disc<Self>, _: Option<&Vec2<Self>>) {}
-
     #[inline]
     fn meet_discs(approach: &Approach<'_, Self>) -> Decision<Option<Met<Moment>>> {
         let pair = [approach.early, approach.late].map(Ray::of);

@@ -133,7 +133,7 @@ pub struct Timeline<S: Timed> {
     turn: u64,
     grazes: u64,
     rests: u64,
-    /// How many discs have come to rest at the present time, one after the other.
+    /// How often discs have come to rest, or grazed, at the present time.
     pauses: usize,
     /// The least relative difference of the first two different times, at any
     /// impact.

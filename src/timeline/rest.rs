@@ -21,7 +21,7 @@ use crate::kernel::{Pull, Time};
 use crate::respond::Restitution;
 use crate::world::Obstacle;
 
-/// How often each disc may come to rest at one time.
+/// How often each disc may rest or graze at one time: more is taken for no end.
 const PAUSES: usize = 16;
 
 impl<S: Timed> Timeline<S> {
@@ -31,26 +31,15 @@ impl<S: Timed> Timeline<S> {
         let Some(forecast) = self.forecasts[disc].take_if(|next| next.is_rest()) else {
             return Ok(false);
         };
-        let before = self.now.clone();
         let Some(feature) = self.arrive(disc, &forecast) else {
             return Ok(false);
         };
-        if !self.goes_on(&before) {
-            self.stop(disc, feature, false);
-        } else if self.has_settled(disc, feature)? {
+        if self.has_settled(disc, feature)? {
             self.renew_forecast(disc)?;
         } else {
             self.stop(disc, feature, !S::ROUNDS);
         }
         Ok(true)
-    }
-
-    /// Whether discs do not come to rest at one time again and again, without an
-    /// end.
-    fn goes_on(&mut self, before: &S) -> bool {
-        let stays = self.now.compare(before).is_ok_and(Ordering::is_eq);
-        self.pauses = if stays { self.pauses + 1 } else { 0 };
-        self.pauses < PAUSES * (self.disc_count() + 1)
     }
 
     /// Follows bodies that pass in tangency, up to where they touch: they may come
@@ -70,7 +59,7 @@ impl<S: Timed> Timeline<S> {
     }
 
     /// Takes bodies to where they are forecast to touch. Tells what the disc
-    /// touches there.
+    /// touches there. If that goes on and on at one time, the run ends.
     fn arrive(&mut self, disc: usize, forecast: &Forecast<S>) -> Option<Feature> {
         let (meeting, feature) = (forecast.meeting()?, forecast.feature()?);
         let time = meeting.time.clone().settled(&self.now);
@@ -79,7 +68,12 @@ impl<S: Timed> Timeline<S> {
         for changed in self.movable(disc, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
         }
-        self.now = time.value();
+        let before = std::mem::replace(&mut self.now, time.value());
+        let stays = self.now.compare(&before).is_ok_and(Ordering::is_eq);
+        self.pauses = if stays { self.pauses + 1 } else { 0 };
+        if self.pauses > PAUSES * self.disc_count() {
+            self.stop(disc, feature, false);
+        }
         Some(feature)
     }
 

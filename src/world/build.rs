@@ -21,12 +21,9 @@ impl<S: Kernel> World<S> {
         let mut corners = Corners::default();
         let walls = (0..).zip(scene.walls());
         let discs = scene.discs().iter();
-        let discs: Vec<_> = discs.map(|disc| make_disc(disc, number)).collect();
-        let gravity = scene.effects().gravity.as_ref();
-        let gravity = gravity.map(|gravity| vector(gravity, number));
         Self {
-            pulls: pulls(&discs, gravity.as_ref()),
-            discs,
+            pulls: vec![S::Pull::default(); discs.len()],
+            discs: discs.map(|disc| make_disc(disc, number)).collect(),
             walls: walls
                 .map(|(index, wall)| make_wall(wall, corners.of(index, wall), number))
                 .collect(),
@@ -39,7 +36,6 @@ impl<S: Kernel> World<S> {
     /// The same bodies in another arithmetic, each number made from its
     /// counterpart. What touches by construction, and what pulls, is left out.
     pub(crate) fn rebuilt<T: Kernel>(&self, make: impl Fn(&S) -> T) -> World<T> {
-        let discs: Vec<_> = self.discs.iter().map(|disc| disc.map(&make)).collect();
         let wall = |wall: &Wall<S>| {
             let Segment {
                 from, to, along, ..
@@ -50,8 +46,8 @@ impl<S: Kernel> World<S> {
             }
         };
         World {
-            pulls: pulls(&discs, None),
-            discs,
+            pulls: vec![T::Pull::default(); self.discs.len()],
+            discs: self.discs.iter().map(|disc| disc.map(&make)).collect(),
             walls: self.walls.iter().map(wall).collect(),
             corners: self.corners.clone(),
             restitution: self.restitution.map(&make),
@@ -62,10 +58,9 @@ impl<S: Kernel> World<S> {
     /// Binary64 bounds of everything. What touches by construction is left
     /// out: bounds leave that open; so is what pulls.
     pub fn hull(&self) -> World<Interval> {
-        let discs: Vec<_> = self.discs.iter().map(|disc| disc.map(S::hull)).collect();
         World {
-            pulls: pulls(&discs, None),
-            discs,
+            pulls: vec![(); self.discs.len()],
+            discs: self.discs.iter().map(|disc| disc.map(S::hull)).collect(),
             walls: self.walls.iter().map(hull_of_wall).collect(),
             corners: self.corners.clone(),
             restitution: self.restitution.map(S::hull),
@@ -105,10 +100,6 @@ impl Corners {
 
 fn vector<S>(written: &[Number; 2], number: impl Fn(&Number) -> S) -> Vec2<S> {
     Vec2::new(number(&written[0]), number(&written[1]))
-}
-
-fn pulls<S: Kernel>(discs: &[Disc<S>], gravity: Option<&Vec2<S>>) -> Vec<S::Pull> {
-    discs.iter().map(|disc| S::pull(disc, gravity)).collect()
 }
 
 fn make_disc<S>(disc: &scene::Disc, number: impl Fn(&Number) -> S) -> Disc<S> {

@@ -1,11 +1,10 @@
 //! The timeline of bodies that fall, told in numbers of the arithmetic itself.
 
-use super::Falling;
+use super::{Falling, Weight};
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::effects::Course;
 use crate::impact::Impact;
-use crate::kernel::Kernel;
 use crate::scalar::Scalar;
 use crate::timeline::{Accumulation, Setup, Timed, Timeline};
 use crate::vec2::Vec2;
@@ -31,15 +30,16 @@ pub(crate) fn fall<S>(
 ) -> Result<Box<dyn Course<S>>, S::Doubt>
 where
     S: Arithmetic,
-    Falling<S>: Timed<Doubt = S::Doubt>,
+    Falling<S>: Timed<Doubt = S::Doubt, Pull = Weight<Falling<S>>>,
 {
     let contacts = world.contacts.clone();
     let mut world = world.rebuilt(|number| Falling(number.clone()));
     world.contacts = contacts;
     let gravity = gravity.map(|number| Falling(number.clone()));
-    for (disc, pull) in world.discs.iter_mut().zip(&mut world.pulls) {
-        *pull = Falling::pull(disc, Some(&gravity));
-        // They need not touch any more.
+    let weight = |disc| Weight::of(disc, &gravity);
+    world.pulls = world.discs.iter().map(weight).collect();
+    for disc in &mut world.discs {
+        // What it has parted from it need not touch any more.
         disc.last = None;
     }
     let timeline = Timeline::with_setup(world, &Falling(until.clone()), setup)?;

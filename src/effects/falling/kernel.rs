@@ -29,10 +29,6 @@ impl<S: Roots> Kernel for Falling<S> {
 
     const IS_STRAIGHT: bool = false;
 
-    fn pull(disc: &Disc<Self>, gravity: Option<&Vec2<Self>>) -> Weight<Self> {
-        Weight::on(disc, gravity)
-    }
-
     fn position_after(flight: Flight<'_, Self>, time: &Self) -> Vec2<Self> {
         let Disc {
             position, velocity, ..

@@ -21,28 +21,37 @@ pub struct Weight<S> {
     skims: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum State {
     /// A body of infinite mass does not fall.
+    #[default]
     Fixed,
     Free,
     /// Held by a wall, or in the groove of two.
     Held(usize, Option<usize>),
 }
 
+impl<S: Scalar> Default for Weight<S> {
+    fn default() -> Self {
+        Self {
+            acting: Vec2::zero(),
+            gravity: Vec2::zero(),
+            state: State::default(),
+            skims: false,
+        }
+    }
+}
+
 impl<S: Scalar> Weight<S> {
-    pub(super) fn on(disc: &Disc<S>, gravity: Option<&Vec2<S>>) -> Self {
-        let state = if disc.is_movable() {
-            State::Free
-        } else {
-            State::Fixed
-        };
-        let gravity = gravity.filter(|_| state == State::Free);
-        let gravity = gravity.cloned().unwrap_or_default();
+    /// What a gravity pulls a disc with.
+    pub(super) fn of(disc: &Disc<S>, gravity: &Vec2<S>) -> Self {
+        if !disc.is_movable() {
+            return Self::default();
+        }
         Self {
             acting: gravity.clone(),
-            gravity,
-            state,
+            gravity: gravity.clone(),
+            state: State::Free,
             skims: false,
         }
     }

@@ -57,10 +57,6 @@ impl Kernel for Falling<Filtered> {
 
     const IS_STRAIGHT: bool = false;
 
-    fn pull(disc: &Disc<Self>, gravity: Option<&Vec2<Self>>) -> Weight<Self> {
-        Weight::on(disc, gravity)
-    }
-
     fn position_after(flight: Flight<'_, Self>, time: &Self) -> Vec2<Self> {
         stored(Instant::at(*time).place_of(&from_zero(flight)))
     }
