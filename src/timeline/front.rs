@@ -8,8 +8,8 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::Timeline;
 use super::arbiter::{Arbiter, Foreseen, Timed};
-use super::flight::Meeting;
 use super::forecast::{Effort, Forecast};
+use super::meeting::Meeting;
 use crate::body::{End, Pair};
 use crate::kernel::{Kernel, Time};
 use crate::scalar::Doubt;
@@ -81,6 +81,7 @@ impl<S: Timed> Timeline<S> {
     /// not go far enough. One that is still contested when it may come true
     /// ends the run.
     fn refresh(&mut self) -> Result<bool, S::Doubt> {
+        // Mostly there is nothing to do, which one look at the front tells.
         let is_in_doubt = |timeline: &Self, disc, next: &Forecast<S>| {
             let is_vague = next.is_open() || next.is_leaving() || next.contested.is_some();
             is_vague || timeline.is_void(disc, next)

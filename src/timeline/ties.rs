@@ -7,8 +7,8 @@
 
 use super::Timeline;
 use super::arbiter::Timed;
-use super::flight::Meeting;
 use super::forecast::{Effort, Forecast};
+use super::meeting::Meeting;
 
 impl<S: Timed> Timeline<S> {
     /// Brings all bodies whose impacts are simultaneous with the first one to

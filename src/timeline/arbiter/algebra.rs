@@ -10,7 +10,8 @@ use crate::algebra::{Expression, Limits};
 use crate::body::Feature;
 use crate::scalar::{Exact, Interval, Scalar, Undecided};
 use crate::symmetry::Symmetry;
-use crate::timeline::flight::{Flights, Meeting};
+use crate::timeline::flight::Flights;
+use crate::timeline::meeting::Meeting;
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
 

@@ -20,7 +20,8 @@ mod replay;
 use std::cmp::Ordering;
 use std::fmt::Debug;
 
-use super::flight::{Flights, Meeting};
+use super::flight::Flights;
+use super::meeting::Meeting;
 use crate::body::Feature;
 use crate::effects::Falling;
 use crate::kernel::Kernel;

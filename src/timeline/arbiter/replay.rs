@@ -8,7 +8,8 @@ use crate::algebra::{Expression, Limits};
 use crate::body::{Disc, Feature};
 use crate::respond::{Reflection, reflect_cluster};
 use crate::scalar::{Exact, Scalar, Undecided};
-use crate::timeline::flight::{Flights, Meeting};
+use crate::timeline::flight::Flights;
+use crate::timeline::meeting::Meeting;
 use crate::world::{Obstacle, World};
 
 /// The most legs that one question may lead to, for each bit of the
