@@ -89,8 +89,6 @@ where
     K: Fn(Obstacle, Feature, bool) -> bool,
 {
     /// Adds an obstacle, unless it is ruled out.
-    // One copy: it is called for walls and for discs, few of which are left.
-    #[inline(never)]
     pub(super) fn add(&mut self, obstacle: Obstacle) {
         if self.flights.world.is_barred(self.disc, obstacle) || !(self.wanted)(obstacle) {
             return;
