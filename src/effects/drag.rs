@@ -63,6 +63,8 @@ pub struct Dragged<S: Timed> {
     warp: Warp<S>,
     /// The limit that was asked for last, and its warped time.
     limit: (S, S),
+    /// The time of the latest impact: a logarithm is dear.
+    now: S,
 }
 
 impl<S: Timed> Dragged<S> {
@@ -84,6 +86,7 @@ impl<S: Timed> Dragged<S> {
             rate,
             warp,
             limit: (until.clone(), end),
+            now: S::from_integer(0),
         })
     }
 
@@ -120,6 +123,7 @@ impl<S: Timed> Course<S> for Dragged<S> {
         let Some(impact) = self.timeline.next_impact(&self.limit.1)? else {
             return Ok(None);
         };
+        self.now = self.unwarped(&impact.time);
         let left = self.left(&impact.time);
         let slowed = |contact: &Contact<S>| Contact {
             velocity: contact.velocity.scaled(&left),
@@ -130,7 +134,7 @@ impl<S: Timed> Course<S> for Dragged<S> {
             ..contact.clone()
         };
         Ok(Some(Impact {
-            time: self.unwarped(&impact.time),
+            time: self.now.clone(),
             contact: impact
                 .contact
                 .as_deref()
@@ -144,7 +148,7 @@ impl<S: Timed> Course<S> for Dragged<S> {
     }
 
     fn now(&self) -> S {
-        self.unwarped(self.timeline.now())
+        self.now.clone()
     }
 
     fn discs_at(&self, time: &S) -> Vec<Disc<S>> {

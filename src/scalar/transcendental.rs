@@ -104,39 +104,108 @@ fn ln(x: &BigRational, bits: u32) -> [BigRational; 2] {
 }
 
 impl Exact {
-    /// 1 - e^-x, for x ≥ 0. It is less than 1.
+    /// 1 - e^-x, for x ≥ 0.
     pub(crate) fn decay(&self) -> Self {
-        let bits = self.precision();
-        let Some((lo, hi)) = self.enclosure() else {
-            return self.clone();
-        };
-        let one = BigRational::one();
-        let [_, most] = exp_minus(&lo.max(BigRational::zero()), bits);
-        let [least, _] = exp_minus(&hi, bits);
-        Self::enclosing(
+        let one = BigRational::one;
+        self.increasing(|x, bits| {
+            let [low, high] = exp_minus(&x.clone().max(BigRational::zero()), bits);
             [
-                one.clone() - most.min(one.clone()),
-                one - least.max(BigRational::zero()),
-            ],
-            bits,
-        )
+                one() - high.min(one()),
+                one() - low.max(BigRational::zero()),
+            ]
+        })
     }
 
     /// -ln (1 - x), for x between 0 and 1: anything if x may be 1.
     pub(crate) fn undecay(&self) -> Self {
+        let one = BigRational::one();
+        if self.enclosure().is_some_and(|(_, hi)| hi >= one) {
+            return Self::unknown(self.precision());
+        }
+        self.increasing(|x, bits| {
+            let [low, high] = ln(&(&one - x), bits);
+            [-high, -low]
+        })
+    }
+
+    /// The value of an increasing function that is about the number itself where
+    /// that is small, given its bounds at a point to within about 2^-bits.
+    fn increasing(&self, bounds: impl Fn(&BigRational, u32) -> [BigRational; 2]) -> Self {
         let bits = self.precision();
         let Some((lo, hi)) = self.enclosure() else {
             return self.clone();
         };
-        let one = BigRational::one();
-        if lo.is_zero() && hi.is_zero() {
+        if hi.is_zero() {
             return self.clone();
         }
-        if hi >= one {
-            return Self::unknown(bits);
-        }
-        let [_, least] = ln(&(one.clone() - lo), bits).map(|bound| -bound);
-        let [most, _] = ln(&(one - hi), bits).map(|bound| -bound);
+        let small = hi.denom().bits().saturating_sub(hi.numer().bits());
+        let all = bits + u32::try_from(small).unwrap_or(u32::MAX / 2);
+        let [least, most] = bounds(&hi, all);
+        let least = if lo == hi {
+            least
+        } else {
+            bounds(&lo, all)[0].clone()
+        };
         Self::enclosing([least, most], bits)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_traits::ToPrimitive;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::scalar::Number;
+
+    fn exact(text: &str) -> Exact {
+        Exact::from_number(&text.parse::<Number>().unwrap(), 128)
+    }
+
+    /// e^-x by its series in fractions, of which the terms alternate: between any
+    /// two of its sums, once they fall.
+    fn series(x: &BigRational) -> [BigRational; 2] {
+        let (mut term, mut sum) = (BigRational::one(), BigRational::one());
+        let mut before = sum.clone();
+        for n in 1..120 {
+            term = -term * x / BigRational::from_integer(n.into());
+            before = std::mem::replace(&mut sum, &before + &term);
+        }
+        [before.clone().min(sum.clone()), before.max(sum)]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn the_decay_is_that_of_the_series(n in 1..2000_i64) {
+            let x = BigRational::new(n.into(), 250.into());
+            let (lo, hi) = Exact::from_rational(x.clone(), 128).decay().enclosure().unwrap();
+            let [high, low] = series(&x).map(|power| BigRational::one() - power);
+            prop_assert!(lo <= high && low <= hi);
+            prop_assert!((hi - lo).to_f64().unwrap() < 1e-36);
+        }
+
+        /// The one undoes the other, however small the number.
+        #[test]
+        fn the_logarithm_undoes_the_decay(n in 1..64_i64, exponent in -400..3_i32) {
+            let x = BigRational::from_integer(n.into())
+                * BigRational::from_integer(2.into()).pow(exponent - 5);
+            let back = Exact::from_rational(x.clone(), 128).decay().undecay();
+            let (lo, hi) = back.enclosure().unwrap();
+            prop_assert!(lo <= x && x <= hi);
+            prop_assert!(((hi - lo) / x).to_f64().unwrap() < 1e-30);
+        }
+    }
+
+    #[test]
+    fn what_may_be_without_end_is_unknown() {
+        assert!(exact("1").undecay().enclosure().is_none());
+        assert!(exact("0").decay().is_surely_zero());
+        // Whether 1 - e^-1000 is below 1 takes 1443 bits.
+        let one = exact("1");
+        assert!(exact("1000").decay().compare(&one).is_err());
+        let decay = exact("1000").with_bits(1500).decay();
+        assert_eq!(decay.compare(&one), Ok(std::cmp::Ordering::Less));
     }
 }
