@@ -43,6 +43,11 @@ impl Course {
         }
     }
 
+    /// Whether the centre starts no farther from the target than `bound`.
+    pub(super) fn starts_within(&self, bound: &Real) -> bool {
+        compare(&self.ends[0], &self.segment(), bound) != Greater
+    }
+
     /// Whether the centre ends no farther from the target than `bound`.
     pub(super) fn ends_within(&self, bound: &Real) -> bool {
         compare(&self.ends[1], &self.segment(), bound) != Greater

@@ -78,10 +78,10 @@ impl<'a> Flight<'a> {
     }
 
     fn judge_impact(&mut self, index: usize, elastic: bool) -> Result<(), Finding> {
-        let record = self.record;
+        let (record, trial) = (self.record, self.trial);
         let claim = &record.claims[index];
         let (before, after) = (&record.states[index], &record.states[index + 1]);
-        let finding = |fault, pair| self.trial.finding(fault, index, Some(pair), claim.time);
+        let finding = |fault, pair| trial.finding(fault, index, Some(pair), claim.time);
         if !claim.time.is_finite() || !after.iter().all(|motion| motion.is_finite()) {
             return Err(finding((Kind::NotFinite, 0.0), claim.pair));
         }
@@ -90,18 +90,24 @@ impl<'a> Flight<'a> {
             return Err(finding((Kind::Mistimed, 0.0), claim.pair));
         }
         let window = Window::new(&record.bodies, before, claim.time);
+        self.part(&window);
         if !self.nested.contains(&claim.pair) {
             window
                 .verify(claim)
                 .map_err(|fault| finding(fault, claim.pair))?;
         }
         self.judge_others(&window, index)?;
-        self.nested
-            .retain(|&pair| pair != claim.pair && !window.ends_apart(pair));
+        self.nested.retain(|&pair| pair != claim.pair);
         if let Some(beyond) = drift(record, index, elastic) {
             return Err(finding((Kind::Energy, beyond), claim.pair));
         }
         self.judge_overlaps(index)
+    }
+
+    /// Pairs that begin a flight apart are nested no more. One that parts within
+    /// a flight does not meet again in it.
+    fn part(&mut self, window: &Window) {
+        self.nested.retain(|&pair| !window.starts_apart(pair));
     }
 
     /// No pair gets into each other before an impact.
@@ -154,9 +160,11 @@ impl<'a> Flight<'a> {
     }
 
     /// No pair has got into each other at the end.
-    fn judge_end(&self, until: f64) -> Result<(), Finding> {
-        let index = self.record.claims.len();
-        let window = Window::new(&self.record.bodies, &self.record.states[index], until);
+    fn judge_end(&mut self, until: f64) -> Result<(), Finding> {
+        let record = self.record;
+        let index = record.claims.len();
+        let window = Window::new(&record.bodies, &record.states[index], until);
+        self.part(&window);
         self.judge_others(&window, index)
     }
 }

@@ -147,9 +147,9 @@ impl<'a> Window<'a> {
         }
     }
 
-    /// Whether the bodies of a pair are apart at the end.
-    pub(super) fn ends_apart(&self, pair: (usize, Obstacle)) -> bool {
-        !self.course(pair).ends_within(&self.reach(pair))
+    /// Whether the bodies of a pair are apart at first.
+    pub(super) fn starts_apart(&self, pair: (usize, Obstacle)) -> bool {
+        !self.course(pair).starts_within(&self.reach(pair))
     }
 
     /// Whether a pair may come to touch: it does but for the margin, and does not

@@ -1,7 +1,6 @@
 //! Impacts that symmetry makes simultaneous, in frames that hide it.
 
 use std::cmp::Ordering::{self, Equal, Less};
-use std::time::{Duration, Instant};
 
 use carom::algebra::Expression;
 use carom::body::{Disc, Mass};
@@ -184,7 +183,7 @@ fn what_parts_in_symmetry_arrives_together() {
 }
 
 /// Whether a disc is seen to touch each of the first posts when it meets it.
-fn touches(frame: Frame, count: usize) -> Vec<(Duration, Result<Ordering, Undecided>)> {
+fn touches(frame: Frame, count: usize) -> Vec<Result<Ordering, Undecided>> {
     let mut disc = frame.disc(["0", "0"], ["1", "0"]);
     let mut touches = Vec::new();
     for &post in &POSTS[..count] {
@@ -192,9 +191,7 @@ fn touches(frame: Frame, count: usize) -> Vec<(Duration, Result<Ordering, Undeci
         post.mass = Mass::Infinite;
         let delay = delay(&disc, &post);
         hit(&mut disc, &mut post, &delay);
-        let start = Instant::now();
-        let touch = power(&post.position.minus(&disc.position)).sign();
-        touches.push((start.elapsed(), touch));
+        touches.push(power(&post.position.minus(&disc.position)).sign());
     }
     touches
 }
@@ -204,34 +201,8 @@ fn touches(frame: Frame, count: usize) -> Vec<(Duration, Result<Ordering, Undeci
 #[test]
 fn what_is_met_is_touched() {
     for frame in [PLAIN, HIDDEN] {
-        for (_, touch) in touches(frame, 5) {
+        for touch in touches(frame, 5) {
             assert_eq!(touch, Ok(Equal));
         }
-    }
-}
-
-/// How long ties of so many square roots take to prove.
-#[test]
-#[ignore = "prints figures"]
-fn cost_of_ties() {
-    for count in 1..=POSTS.len() {
-        let start = Instant::now();
-        let [plain, mirrored, hidden] =
-            [PLAIN, MIRRORED, HIDDEN].map(|frame| times(frame, &POSTS[..count]).pop().unwrap());
-        let replayed = start.elapsed();
-        let timed = |other: &Expression| {
-            let start = Instant::now();
-            let order = plain.compare(other).map_err(|open| open.to_string());
-            (start.elapsed(), order)
-        };
-        println!(
-            "{count}: replay {replayed:?}, mirrored {:?}, hidden {:?}",
-            timed(&mirrored),
-            timed(&hidden)
-        );
-    }
-    for (place, (time, touch)) in touches(HIDDEN, POSTS.len()).into_iter().enumerate() {
-        let touch = touch.map_err(|open| open.to_string());
-        println!("{}: touch {time:?} {touch:?}", place + 1);
     }
 }
