@@ -13,5 +13,5 @@ pub use course::{Course, Fall, course};
 pub(crate) use drag::{BINARY64, EXACT, FILTERED};
 pub use drag::{Dragged, Warp};
 pub(crate) use falling::fall;
-pub use falling::{Falling, Holding, Instant, Weight};
+pub use falling::{Drag, Falling, Holding, Instant, Marker, Medium, Vacuum, Weight};
 pub use forces::Forces;

@@ -87,10 +87,10 @@ pub trait Kernel: Scalar {
         Ok(None)
     }
 
-    /// How long a disc that has just hit a wall bounces on it, if nothing else
+    /// Bounds of how long a disc that has just hit a wall bounces on it, if nothing else
     /// happens, and each impact leaves so much of its speed.
     #[inline]
-    fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<Self> {
+    fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<[Self; 2]> {
         let _ = (flight, wall, kept);
         None
     }

@@ -15,9 +15,10 @@ pub trait Pull<S: Scalar>: Clone + Debug + Default + Send + Sync + 'static {
         &pulls[disc]
     }
 
-    /// Bounds of the acceleration, if there is any.
+    /// Bounds of a disc's acceleration up to its next impact, if there is any.
     #[inline]
-    fn acceleration(&self) -> Option<Vec2<Interval>> {
+    fn acceleration(&self, disc: &Disc<S>) -> Option<Vec2<Interval>> {
+        let _ = disc;
         None
     }
 

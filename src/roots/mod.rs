@@ -48,6 +48,16 @@ pub struct Descent<S> {
     pub graze: bool,
 }
 
+impl<S> Descent<S> {
+    /// The same, told in other numbers.
+    pub(crate) fn map<T>(self, change: impl FnOnce(S) -> T) -> Descent<T> {
+        Descent {
+            time: change(self.time),
+            graze: self.graze,
+        }
+    }
+}
+
 /// A number type that finds zeros of polynomials with such coefficients.
 pub trait Roots: Scalar {
     /// The first t > 0 at which f is zero and has been positive just before.

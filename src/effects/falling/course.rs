@@ -1,10 +1,12 @@
 //! The timeline of bodies that fall, told in numbers of the arithmetic itself.
 
+use super::medium::Marker;
 use super::{Falling, Weight};
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::effects::Course;
 use crate::impact::Impact;
+use crate::kernel::Kernel;
 use crate::scalar::Scalar;
 use crate::timeline::{Accumulation, Setup, Timed, Timeline};
 use crate::vec2::Vec2;
@@ -12,10 +14,11 @@ use crate::world::World;
 
 /// A timeline under gravity.
 #[derive(Clone, Debug)]
-struct Fallen<S>(Timeline<Falling<S>>)
+struct Fallen<S, M>(Timeline<Falling<S, M>>)
 where
     S: Scalar,
-    Falling<S>: Timed;
+    M: Marker,
+    Falling<S, M>: Timed;
 
 /// The course of a world under gravity.
 ///
@@ -32,31 +35,54 @@ where
     S: Arithmetic,
     Falling<S>: Timed<Doubt = S::Doubt, Pull = Weight<Falling<S>>>,
 {
+    let gravity = gravity.map(lifted);
+    let weight = |disc: &Disc<_>| match disc.is_movable() {
+        true => Weight::free(gravity.clone(), ()),
+        false => Weight::default(),
+    };
+    start(world, weight, until, setup)
+}
+
+/// The course of a world whose discs are pulled in some way.
+fn start<S, M>(
+    world: World<S>,
+    weight: impl Fn(&Disc<Falling<S, M>>) -> <Falling<S, M> as Kernel>::Pull,
+    until: &S,
+    setup: &Setup<'_>,
+) -> Result<Box<dyn Course<S>>, S::Doubt>
+where
+    S: Arithmetic,
+    M: Marker,
+    Falling<S, M>: Timed<Doubt = S::Doubt>,
+{
     let contacts = world.contacts.clone();
-    let mut world = world.rebuilt(|number| Falling(number.clone()));
+    let mut world = world.rebuilt(lifted);
     world.contacts = contacts;
-    let gravity = gravity.map(|number| Falling(number.clone()));
-    let weight = |disc| Weight::of(disc, &gravity);
     world.pulls = world.discs.iter().map(weight).collect();
     for disc in &mut world.discs {
         // What it has parted from it need not touch any more.
         disc.last = None;
     }
-    let timeline = Timeline::with_setup(world, &Falling(until.clone()), setup)?;
+    let timeline = Timeline::with_setup(world, &Falling::new(until.clone()), setup)?;
     Ok(Box::new(Fallen(timeline)))
 }
 
-fn landed<S: Clone>(number: &Falling<S>) -> S {
+fn lifted<S: Clone, M>(number: &S) -> Falling<S, M> {
+    Falling::new(number.clone())
+}
+
+fn landed<S: Clone, M>(number: &Falling<S, M>) -> S {
     number.0.clone()
 }
 
-impl<S> Course<S> for Fallen<S>
+impl<S, M> Course<S> for Fallen<S, M>
 where
     S: Scalar,
-    Falling<S>: Timed<Doubt = S::Doubt>,
+    M: Marker,
+    Falling<S, M>: Timed<Doubt = S::Doubt>,
 {
     fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
-        let impact = self.0.next_impact(&Falling(limit.clone()))?;
+        let impact = self.0.next_impact(&Falling::new(limit.clone()))?;
         Ok(impact.map(|impact| impact.map(landed)))
     }
 
@@ -69,7 +95,7 @@ where
     }
 
     fn discs_at(&self, time: &S) -> Vec<Disc<S>> {
-        let discs = self.0.discs_at(&Falling(time.clone()));
+        let discs = self.0.discs_at(&Falling::new(time.clone()));
         discs.iter().map(|disc| disc.map(landed)).collect()
     }
 

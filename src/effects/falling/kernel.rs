@@ -1,50 +1,48 @@
 //! How bodies meet of which some fall.
 
 use super::Falling;
-use super::arc::Arc;
 use super::circle;
+use super::gap;
+use super::medium::{Marker, Medium};
 use super::segment::{self, Touched};
+use super::trajectory::Trajectory;
 use super::weight::Weight;
 use crate::body::Disc;
-use crate::detect::{End, Segment, meet_circle};
+use crate::detect::{End, Segment};
 use crate::kernel::{Approach, Flight, Kernel, Met};
 use crate::roots::{Descent, Polynomial, Roots};
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 
-impl<S: Roots> Roots for Falling<S> {
+impl<S: Roots, M: Marker> Roots for Falling<S, M> {
     fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, S::Doubt> {
         let f = Polynomial(f.0.clone().map(|number| number.0));
-        let met = S::descent(&f)?;
-        Ok(met.map(|Descent { time, graze }| Descent {
-            time: Self(time),
-            graze,
-        }))
+        Ok(S::descent(&f)?.map(|met| met.map(Self::new)))
     }
 }
 
-impl<S: Roots> Kernel for Falling<S> {
+impl<S: Scalar, M: Medium<S>> Kernel for Falling<S, M> {
     type Time = Self;
-    type Pull = Weight<Self>;
+    type Pull = Weight<Self, M::Drag>;
 
     const IS_STRAIGHT: bool = false;
 
     fn position_after(flight: Flight<'_, Self>, time: &Self) -> Vec2<Self> {
-        let Disc {
-            position, velocity, ..
-        } = flight.disc;
-        Arc::new(position.clone(), velocity.clone(), &flight.pull.acting).at(time)
+        way(flight).at(time)
     }
 
     fn velocity_after(flight: Flight<'_, Self>, time: &Self) -> Vec2<Self> {
-        flight.disc.velocity.moved(&flight.pull.acting, time)
+        way(flight).velocity_at(time)
     }
 
     fn meet_discs(approach: &Approach<'_, Self>) -> Result<Option<Met<Self>>, S::Doubt> {
         let reach = approach.reach();
         let met = match relative(approach) {
-            None => meet_circle(&approach.offset(), &approach.velocity(), &reach)?,
-            Some(arc) => circle::meet(&arc, &reach)?,
+            None => {
+                let (offset, velocity) = (approach.offset(), approach.velocity());
+                M::meet_falling(&offset, &velocity, &reach, &approach.late.pull.drag)?
+            }
+            Some(way) => circle::meet(&way, &reach)?,
         };
         Ok(met.map(|met| Met::after(approach.late.since, met)))
     }
@@ -53,12 +51,12 @@ impl<S: Roots> Kernel for Falling<S> {
         approach: &Approach<'_, Self>,
         skims: bool,
     ) -> Result<Option<Met<Self>>, S::Doubt> {
-        let Some(arc) = relative(approach) else {
+        let Some(way) = relative(approach) else {
             return Ok(None);
         };
         let met = match skims {
-            true => circle::leave(&arc)?,
-            false => circle::meet_again(&arc)?,
+            true => circle::leave(&way)?,
+            false => circle::meet_again(&way)?,
         };
         Ok(met.map(|met| Met::after(approach.late.since, met)))
     }
@@ -86,45 +84,43 @@ impl<S: Roots> Kernel for Falling<S> {
         flight: Flight<'_, Self>,
         wall: &Segment<Self>,
     ) -> Result<Option<Met<Self>>, S::Doubt> {
-        let met = segment::leave(&way(flight, wall), wall)?;
+        let met = segment::leave(&way(flight).seen_from(&wall.from), wall)?;
         Ok(met.map(|met| Met::after(flight.since, met)))
     }
 
-    fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<Self> {
-        segment::bouncing(&way(flight, wall), wall, kept)
+    fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<[Self; 2]> {
+        let gap = way(flight).seen_from(&wall.from);
+        gap::bouncing(&gap.component(|power| power.cross(&wall.along)), kept)
     }
 }
 
-/// The way of a disc, seen from a wall's first end point.
-pub(super) fn way<S>(flight: Flight<'_, Falling<S>>, wall: &Segment<Falling<S>>) -> Arc<Falling<S>>
-where
-    S: Scalar,
-    Falling<S>: Kernel<Pull = Weight<Falling<S>>>,
-{
+/// The way of a disc.
+fn way<S: Scalar, M: Medium<S>>(flight: Flight<'_, Falling<S, M>>) -> M::Way {
     let Disc {
         position, velocity, ..
     } = flight.disc;
-    let offset = position.minus(&wall.from);
-    Arc::new(offset, velocity.clone(), &flight.pull.acting)
+    let Weight { acting, drag, .. } = flight.pull;
+    M::way(position.clone(), velocity.clone(), acting, drag)
 }
 
-fn meet_wall<S: Roots>(
-    flight: Flight<'_, Falling<S>>,
-    wall: &Segment<Falling<S>>,
+fn meet_wall<S: Scalar, M: Medium<S>>(
+    flight: Flight<'_, Falling<S, M>>,
+    wall: &Segment<Falling<S, M>>,
     touched: Touched,
-) -> Result<Option<Met<Falling<S>>>, S::Doubt> {
-    let way = way(flight, wall);
+) -> Result<Option<Met<Falling<S, M>>>, S::Doubt> {
+    let way = way(flight).seen_from(&wall.from);
     let met = segment::meet(&way, &flight.disc.radius, wall, touched)?;
     Ok(met.map(|met| Met::after(flight.since, met)))
 }
 
-/// The way of the later disc, seen from the earlier one; none if that is
-/// straight, for both fall.
-fn relative<S: Roots>(approach: &Approach<'_, Falling<S>>) -> Option<Arc<Falling<S>>> {
+/// The way of the later disc, seen from the earlier one; none if both fall
+/// freely.
+fn relative<S: Scalar, M: Medium<S>>(approach: &Approach<'_, Falling<S, M>>) -> Option<M::Way> {
     let [early, late] = [approach.early, approach.late].map(|flight| flight.pull);
     if early.is_free() && late.is_free() {
         return None;
     }
     let pull = late.acting.minus(&early.acting);
-    Some(Arc::new(approach.offset(), approach.velocity(), &pull))
+    let (offset, velocity) = (approach.offset(), approach.velocity());
+    Some(M::way(offset, velocity, &pull, &late.drag))
 }

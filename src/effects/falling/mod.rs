@@ -12,12 +12,16 @@ mod arc;
 mod circle;
 mod course;
 mod filtered;
+mod gap;
 mod kernel;
+mod medium;
 mod number;
 mod segment;
+mod trajectory;
 mod weight;
 
 pub(crate) use course::fall;
 pub use filtered::Instant;
+pub use medium::{Drag, Marker, Medium, Vacuum};
 pub use number::Falling;
 pub use weight::{Holding, Weight};

@@ -1,20 +1,30 @@
 //! A number of bodies that fall.
 
 use std::cmp::Ordering;
+use std::marker::PhantomData;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_rational::BigRational;
 
+use super::medium::{Marker, Vacuum};
 use crate::scalar::{Interval, Number, Scalar};
 
-/// A number as it is, of bodies that gravity pulls.
+/// A number as it is, of bodies that gravity pulls through a [`Medium`].
 ///
 /// It computes and decides as the number that it holds does. What sets it apart
-/// is its [`Kernel`](crate::kernel::Kernel), in which bodies move on parabolas.
+/// is its [`Kernel`](crate::kernel::Kernel), in which bodies fall.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Falling<S>(pub S);
+pub struct Falling<S, M = Vacuum>(pub S, PhantomData<M>);
 
-impl<S: Scalar> Scalar for Falling<S> {
+impl<S, M> Falling<S, M> {
+    /// The number of a body that falls.
+    #[inline]
+    pub fn new(number: S) -> Self {
+        Self(number, PhantomData)
+    }
+}
+
+impl<S: Scalar, M: Marker> Scalar for Falling<S, M> {
     type Doubt = S::Doubt;
     type Precision = S::Precision;
 
@@ -23,11 +33,11 @@ impl<S: Scalar> Scalar for Falling<S> {
     const IS_DEAR: bool = false;
 
     fn from_number(number: &Number, precision: S::Precision) -> Self {
-        Self(S::from_number(number, precision))
+        Self::new(S::from_number(number, precision))
     }
 
     fn from_integer(integer: i32) -> Self {
-        Self(S::from_integer(integer))
+        Self::new(S::from_integer(integer))
     }
 
     #[inline]
@@ -46,31 +56,31 @@ impl<S: Scalar> Scalar for Falling<S> {
 
     #[inline]
     fn square(&self) -> Self {
-        Self(self.0.square())
+        Self::new(self.0.square())
     }
 
     #[inline]
     fn sqrt(&self) -> Self {
-        Self(self.0.sqrt())
+        Self::new(self.0.sqrt())
     }
 
     #[inline]
     fn difference_of_products(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
-        Self(S::difference_of_products(&a.0, &b.0, &c.0, &d.0))
+        Self::new(S::difference_of_products(&a.0, &b.0, &c.0, &d.0))
     }
 
     #[inline]
     fn power(x: &Self, y: &Self, r: &Self) -> Self {
-        Self(S::power(&x.0, &y.0, &r.0))
+        Self::new(S::power(&x.0, &y.0, &r.0))
     }
 
     fn bare(&self) -> Self {
-        Self(self.0.bare())
+        Self::new(self.0.bare())
     }
 
     #[inline]
     fn not_before(self, floor: &Self) -> Self {
-        Self(self.0.not_before(&floor.0))
+        Self::new(self.0.not_before(&floor.0))
     }
 
     fn to_f64(&self) -> f64 {
@@ -89,21 +99,21 @@ impl<S: Scalar> Scalar for Falling<S> {
 
 macro_rules! operator {
     ($operator:ident, $method:ident) => {
-        impl<S: Scalar> $operator for Falling<S> {
+        impl<S: Scalar, M: Marker> $operator for Falling<S, M> {
             type Output = Self;
 
             #[inline]
             fn $method(self, other: Self) -> Self {
-                Self(self.0.$method(other.0))
+                Self::new(self.0.$method(other.0))
             }
         }
 
-        impl<S: Scalar> $operator<&Self> for Falling<S> {
+        impl<S: Scalar, M: Marker> $operator<&Self> for Falling<S, M> {
             type Output = Self;
 
             #[inline]
             fn $method(self, other: &Self) -> Self {
-                Self(self.0.$method(&other.0))
+                Self::new(self.0.$method(&other.0))
             }
         }
     };
@@ -114,11 +124,11 @@ operator!(Sub, sub);
 operator!(Mul, mul);
 operator!(Div, div);
 
-impl<S: Scalar> Neg for Falling<S> {
+impl<S: Scalar, M: Marker> Neg for Falling<S, M> {
     type Output = Self;
 
     #[inline]
     fn neg(self) -> Self {
-        Self(-self.0)
+        Self::new(-self.0)
     }
 }

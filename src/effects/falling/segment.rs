@@ -1,10 +1,11 @@
-//! A disc on a parabola that meets a wall.
+//! A disc that falls and meets a wall.
 //!
 //! With q the centre from the wall's first end point, u along the wall and L its
-//! length, the side h = q × u is a quadratic in time. The wall's lines are met
-//! from outside where σ h - r L falls to zero, for σ = 1 and σ = -1: at most once
-//! each, for a quadratic a t² + b t + c descends at no more than one of its roots,
-//! (-b - √D) / 2a. If then the foot of the perpendicular is between the end
+//! length, the side is h = q × u. The wall's lines are met from outside where
+//! σ h - r L falls to zero, for σ = 1 and σ = -1: at most once each, for the
+//! acceleration across a line has the same sign all the time. (In a vacuum the
+//! side is a quadratic a t² + b t + c, which descends at no more than one of its
+//! roots, (-b - √D) / 2a.) If then the foot of the perpendicular is between the end
 //! points, the interior is touched. The end points are met as circles are. The
 //! first of all these is the meeting: the points no further than r from a segment
 //! are convex, so that a line is crossed at the foot, and a circle beyond it,
@@ -12,14 +13,11 @@
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
-use super::arc::Arc;
 use super::circle;
+use super::gap::{Gap, LineGap, Met};
+use super::trajectory::{Trajectory, length};
 use crate::detect::{Encounter, End, Nearest, Segment};
-use crate::roots::Roots;
 use crate::scalar::Scalar;
-use crate::vec2::Vec2;
-
-type Met<S> = Result<Option<Encounter<S>>, <S as Scalar>::Doubt>;
 
 /// What of a wall a disc touches by construction, and does not approach.
 /// Where the disc `skims` it, it moves at a right angle to the normal. A disc that
@@ -56,13 +54,18 @@ impl Touched {
 
 /// When a disc, of which the way is seen from the wall's first end point, meets
 /// a wall.
-pub(super) fn meet<S: Roots>(
-    arc: &Arc<S>,
+pub(super) fn meet<S: Scalar, T: Trajectory<S>>(
+    path: &T,
     radius: &S,
     wall: &Segment<S>,
     touched: Touched,
 ) -> Met<S> {
-    let way = Way::new(arc, radius, wall);
+    let way = Way {
+        path,
+        radius,
+        wall,
+        side: path.offset().cross(&wall.along),
+    };
     let sides = [Less, Greater];
     for side in sides {
         if way.parts_for_good(side, touched)? {
@@ -85,31 +88,24 @@ pub(super) fn meet<S: Roots>(
 }
 
 /// When a disc, seen the same way, gets to the end of a wall along which it moves.
-pub(super) fn leave<S: Roots>(arc: &Arc<S>, wall: &Segment<S>) -> Met<S> {
-    let [c, b, a] = arc.powers().map(|power| power.dot(&wall.along));
-    let left = Gap {
-        a: -a.clone(),
-        b: -b.clone(),
-        c: wall.length_squared.clone() - &c,
-    };
+pub(super) fn leave<S: Scalar>(path: &impl Trajectory<S>, wall: &Segment<S>) -> Met<S> {
+    let gone = || path.component(|power| power.dot(&wall.along));
+    let left = gone().negated().raised(&wall.length_squared);
     let mut first = None;
-    for (end, gap) in [(End::To, left), (End::From, Gap { a, b, c })] {
-        let met = gap.fall()?.map(|met| met.at(end));
+    for (end, gap) in [(End::To, left), (End::From, gone())] {
+        let met = fall(&gap)?.map(|met| met.at(end));
         first = earlier(first, met)?;
     }
     Ok(first.map(|met| Encounter { rest: true, ..met }))
 }
 
-/// How long a disc, seen the same way, bounces on a wall that it has just hit, if
-/// each impact leaves so much of its speed.
-pub(super) fn bouncing<S: Scalar>(arc: &Arc<S>, wall: &Segment<S>, kept: &S) -> Option<S> {
-    let [_, b, a] = arc.powers().map(|power| power.cross(&wall.along));
-    let falls = matches!(
-        (a.sign(), b.sign()),
-        (Ok(Less), Ok(Greater)) | (Ok(Greater), Ok(Less))
-    );
-    let flown = -b / a;
-    falls.then(|| flown / (S::from_integer(1) - kept))
+/// When what is not below zero gets there.
+fn fall<S: Scalar>(gap: &impl Gap<S>) -> Met<S> {
+    let met = match gap.sign(0)? {
+        Greater => gap.descent(0)?,
+        Less | Equal => gap.from_contact(1)?,
+    };
+    Ok(met.filter(|met| !met.graze))
 }
 
 /// The first of two meetings.
@@ -124,69 +120,51 @@ fn earlier<S: Scalar>(one: Option<Encounter<S>>, other: Option<Encounter<S>>) ->
 }
 
 /// A disc's way, seen from a wall.
-struct Way<'a, S> {
-    arc: &'a Arc<S>,
+struct Way<'a, S, T> {
+    path: &'a T,
     radius: &'a S,
     wall: &'a Segment<S>,
-    /// The coefficients of the side, the constant first.
-    side: [S; 3],
+    /// On which side it starts, and how far from the line, times the length.
+    side: S,
 }
 
-/// The distance from a line on one of its sides, less the radius, all times the
-/// wall's length: a t² + b t + c.
-struct Gap<S> {
-    a: S,
-    b: S,
-    c: S,
+/// The gap on one side of a wall at the start, times the wall's length: its sign,
+/// and how many derivatives are known to be zero if it is.
+struct Known<G> {
+    gap: G,
+    sign: Ordering,
+    zeros: usize,
 }
 
-impl<'a, S: Roots> Way<'a, S> {
-    fn new(arc: &'a Arc<S>, radius: &'a S, wall: &'a Segment<S>) -> Self {
-        let across = |vector: &Vec2<S>| vector.cross(&wall.along);
-        Self {
-            side: arc.powers().map(across),
-            arc,
-            radius,
-            wall,
-        }
-    }
-
-    fn gap(&self, side: Ordering) -> Gap<S> {
-        let [c, b, a] = self.side.clone().map(|number| match side {
-            Less => -number,
-            Equal | Greater => number,
-        });
-        let reach = self.radius.clone() * &self.wall.length;
-        Gap { a, b, c: c - reach }
-    }
-
-    /// The gap on one side, and its sign: with what of them is known where the disc
+impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
+    /// What is known of the gap on one side, also by construction where the disc
     /// touches the interior.
-    fn gap_known(&self, side: Ordering, touched: Touched) -> Result<(Gap<S>, Ordering), S::Doubt> {
-        let gap = match touched {
-            Touched::Interior { skims: true } => self.gap(side).turning(),
-            _ => self.gap(side),
-        };
+    fn gap(&self, side: Ordering, touched: Touched) -> Result<Known<T::Line>, S::Doubt> {
+        let gap = self.path.component(|power| power.cross(&self.wall.along));
+        let gap = if side == Less { gap.negated() } else { gap };
+        let gap = gap.raised(&-(self.radius.clone() * &self.wall.length));
         let sign = match touched {
-            Touched::Interior { .. } if self.side[0].sign()? == side => Equal,
-            _ => gap.c.sign()?,
+            Touched::Interior { .. } if self.side.sign()? == side => Equal,
+            _ => gap.sign(0)?,
         };
-        Ok((gap, sign))
+        let skims = touched == Touched::Interior { skims: true };
+        let zeros = if skims { 2 } else { 1 };
+        Ok(Known { gap, sign, zeros })
     }
 
     /// Whether the disc is on one side, and never comes nearer to the line: so it
     /// does not meet the end points either.
     fn parts_for_good(&self, side: Ordering, touched: Touched) -> Result<bool, S::Doubt> {
-        let (gap, sign) = self.gap_known(side, touched)?;
-        Ok(sign != Less && gap.b.sign()? != Less && gap.a.sign()? != Less)
+        let Known { gap, sign, zeros } = self.gap(side, touched)?;
+        Ok(sign != Less && gap.only_grows(zeros)?)
     }
 
     /// When the disc, coming from one side, touches the interior.
     fn meet_line(&self, side: Ordering, touched: Touched) -> Met<S> {
-        let (gap, sign) = self.gap_known(side, touched)?;
+        let Known { gap, sign, zeros } = self.gap(side, touched)?;
         let met = match sign {
-            Greater => gap.descent()?,
-            Equal => gap.descent_from_contact()?,
+            Greater => gap.descent(0)?,
+            Equal => gap.from_contact(zeros)?,
             Less => self.descent_from_within(&gap, side)?,
         };
         let Some(met) = met else { return Ok(None) };
@@ -196,7 +174,7 @@ impl<'a, S: Roots> Way<'a, S> {
             Touched::End { .. } if met.overlap => return Ok(None),
             _ => {}
         }
-        Ok(match self.wall.nearest(&self.arc.at(&met.delay))? {
+        Ok(match self.wall.nearest(&self.path.at(&met.delay))? {
             Nearest::Foot(end) => Some(Encounter { end, ..met }),
             Nearest::Beyond(_) => None,
         })
@@ -204,15 +182,15 @@ impl<'a, S: Roots> Way<'a, S> {
 
     /// When a disc comes back that is nearer to the line than its radius, or on
     /// the other side. If it overlaps the wall, that is now, unless it parts.
-    fn descent_from_within(&self, gap: &Gap<S>, side: Ordering) -> Met<S> {
-        let is_here = self.side[0].sign()? == side
-            && matches!(self.wall.nearest(&self.arc.offset)?, Nearest::Foot(_));
-        if is_here && gap.b.sign()? == Less {
+    fn descent_from_within(&self, gap: &T::Line, side: Ordering) -> Met<S> {
+        let is_here = self.side.sign()? == side
+            && matches!(self.wall.nearest(self.path.offset())?, Nearest::Foot(_));
+        if is_here && gap.sign(1)? == Less {
             return Ok(Some(Encounter::inside()));
         }
-        let back = gap.descent_after_ascent()?;
+        let back = gap.descent(0)?;
         if is_here && back.is_none() {
-            return gap.descent_from_contact();
+            return gap.from_contact(1);
         }
         Ok(back)
     }
@@ -220,112 +198,31 @@ impl<'a, S: Roots> Way<'a, S> {
     /// When the disc touches an end point, if that may be before something else.
     fn meet_end(&self, end: End, touched: Option<bool>, other: Option<&Encounter<S>>) -> Met<S> {
         let point = self.wall.end(end).minus(&self.wall.from);
-        let arc = self.arc.seen_from(&point);
-        let is_later = other.is_some_and(|other| self.is_surely_apart(&arc, &other.delay));
+        let path = self.path.seen_from(&point);
+        let is_later = other.is_some_and(|other| self.is_surely_apart(&path, &other.delay));
         let met = match touched {
-            Some(true) => circle::leave(&arc)?,
-            Some(false) => circle::meet_again(&arc)?,
-            None if is_later || self.overlaps_beside(&arc, end)? => None,
-            None => circle::meet(&arc, self.radius)?,
+            Some(true) => circle::leave(&path)?,
+            Some(false) => circle::meet_again(&path)?,
+            None if is_later || self.overlaps_beside(&path, end)? => None,
+            None => circle::meet(&path, self.radius)?,
         };
         Ok(met.map(|met| met.at(end)))
     }
 
     /// Whether the disc overlaps the end point, but the interior is nearer.
-    fn overlaps_beside(&self, arc: &Arc<S>, end: End) -> Result<bool, S::Doubt> {
-        let gap = S::power(&arc.offset.x, &arc.offset.y, self.radius);
+    fn overlaps_beside(&self, path: &T, end: End) -> Result<bool, S::Doubt> {
+        let gap = S::power(&path.offset().x, &path.offset().y, self.radius);
         if matches!(gap.sign(), Ok(Greater)) {
             return Ok(false);
         }
-        let nearest = self.wall.nearest(&self.arc.offset)?;
+        let nearest = self.wall.nearest(self.path.offset())?;
         Ok(!matches!(nearest, Nearest::Beyond(beyond) if beyond == end))
     }
 
     /// Whether it is certain that the disc does not get to a point before some
-    /// time: |d| > r + |v| t + |h| t².
-    fn is_surely_apart(&self, arc: &Arc<S>, time: &S) -> bool {
-        let length = |vector: &Vec2<S>| {
-            let [x, y] = [vector.x.hull(), vector.y.hull()];
-            (x.square() + y.square()).sqrt()
-        };
-        let time = time.hull();
-        let way = length(&arc.velocity) * time + length(&arc.half_pull) * time.square();
-        length(&arc.offset).lo() > (self.radius.hull() + way).hi()
-    }
-}
-
-impl<S: Scalar> Gap<S> {
-    /// The gap of a disc that neither approaches nor parts at first.
-    fn turning(self) -> Self {
-        let b = S::from_integer(0);
-        Self { b, ..self }
-    }
-
-    /// When what is above zero comes to zero.
-    fn descent(&self) -> Met<S> {
-        let bends = self.a.sign()?;
-        if bends != Less && self.b.sign()? != Less {
-            return Ok(None);
-        }
-        let discriminant = self.discriminant();
-        match discriminant.sign()? {
-            Less => return Ok(None),
-            Equal => return Ok(Some(Encounter::graze(self.turn()))),
-            Greater => {}
-        }
-        let root = discriminant.sqrt();
-        Ok(Some(Encounter::impact(if self.b.to_f64() > 0.0 {
-            self.late_root(root)
-        } else {
-            S::from_integer(2) * &self.c / (root - &self.b)
-        })))
-    }
-
-    /// When what is at zero, and does not fall, comes back to zero.
-    fn descent_from_contact(&self) -> Met<S> {
-        let (speed, bends) = (self.b.sign()?, self.a.sign()?);
-        Ok(match (speed, bends) {
-            (Less, _) => Some(Encounter::now()),
-            (Equal, Less) => Some(Encounter::rest()),
-            (Greater, Less) => Some(Encounter::impact(self.b.clone() / -self.a.clone())),
-            (_, Equal | Greater) => None,
-        })
-    }
-
-    /// When what is below zero comes down to zero, from above.
-    fn descent_after_ascent(&self) -> Met<S> {
-        if self.a.sign()? != Less || self.b.sign()? != Greater {
-            return Ok(None);
-        }
-        let discriminant = self.discriminant();
-        Ok(match discriminant.sign()? {
-            Greater => Some(Encounter::impact(self.late_root(discriminant.sqrt()))),
-            Less | Equal => None,
-        })
-    }
-
-    /// When what is not below zero gets there.
-    fn fall(&self) -> Met<S> {
-        let met = match self.c.sign()? {
-            Greater => self.descent()?,
-            Less | Equal => self.descent_from_contact()?,
-        };
-        Ok(met.filter(|met| !met.graze))
-    }
-
-    /// b² - 4 a c.
-    fn discriminant(&self) -> S {
-        let four = S::from_integer(4) * &self.a;
-        S::difference_of_products(&self.b, &self.b, &four, &self.c)
-    }
-
-    /// When it is least, or greatest.
-    fn turn(&self) -> S {
-        -self.b.clone() / (S::from_integer(2) * &self.a)
-    }
-
-    /// The later root of a quadratic that bends down.
-    fn late_root(&self, root: S) -> S {
-        (root + &self.b) / (S::from_integer(-2) * &self.a)
+    /// time.
+    fn is_surely_apart(&self, path: &T, time: &S) -> bool {
+        let range = path.range(time.hull());
+        length(path.offset()).lo() > (self.radius.hull() + range).hi()
     }
 }

@@ -3,20 +3,23 @@
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::Falling;
+use super::gap::Gap;
+use super::medium::{Drag, Medium};
+use super::trajectory::Trajectory;
 use crate::body::{Disc, Wall};
 use crate::detect::Segment;
 use crate::kernel::{Kernel, Pull};
-use crate::roots::Roots;
 use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
 
-/// What pulls a disc, and what holds it.
+/// What pulls a disc, and what holds it, in a medium of some [`Drag`].
 #[derive(Clone, Debug)]
-pub struct Weight<S> {
-    /// Its acceleration.
+pub struct Weight<S, D = ()> {
+    /// What pulls it.
     pub(super) acting: Vec2<S>,
-    /// The acceleration if nothing holds it.
-    gravity: Vec2<S>,
+    /// What does if nothing holds it.
+    free: Vec2<S>,
+    pub(super) drag: D,
     state: State,
     skims: bool,
 }
@@ -31,39 +34,44 @@ enum State {
     Held(usize, Option<usize>),
 }
 
-impl<S: Scalar> Default for Weight<S> {
+impl<S: Scalar, D: Drag<S>> Default for Weight<S, D> {
     fn default() -> Self {
-        Self {
-            acting: Vec2::zero(),
-            gravity: Vec2::zero(),
-            state: State::default(),
-            skims: false,
-        }
+        Self::fixed(Vec2::zero(), D::default())
     }
 }
 
-impl<S: Scalar> Weight<S> {
-    /// What a gravity pulls a disc with.
-    pub(super) fn of(disc: &Disc<S>, gravity: &Vec2<S>) -> Self {
-        if !disc.is_movable() {
-            return Self::default();
-        }
+impl<S: Scalar, D: Drag<S>> Weight<S, D> {
+    /// That of a body that falls.
+    pub(super) fn free(pull: Vec2<S>, drag: D) -> Self {
         Self {
-            acting: gravity.clone(),
-            gravity: gravity.clone(),
             state: State::Free,
+            ..Self::fixed(pull, drag)
+        }
+    }
+
+    /// That of a body which nothing slows down or pulls: as that of one which falls
+    /// the same way.
+    pub(super) fn fixed(pull: Vec2<S>, drag: D) -> Self {
+        Self {
+            acting: pull.clone(),
+            free: pull,
+            drag,
+            state: State::Fixed,
             skims: false,
         }
     }
 
-    /// Whether nothing but gravity acts.
+    /// Whether nothing holds it, of what falls.
     pub(super) fn is_free(&self) -> bool {
         self.state == State::Free
     }
 }
 
 /// What has to be decided of a disc that walls hold.
-pub trait Holding: Kernel<Pull = Weight<Self>> {
+pub trait Holding: Kernel<Pull = Weight<Self, Self::Drag>> {
+    /// What of a medium a body has to know.
+    type Drag: Drag<Self>;
+
     /// Which way a vector points, seen from a wall: away from it on the side of a
     /// disc, or towards it.
     ///
@@ -93,11 +101,14 @@ pub trait Holding: Kernel<Pull = Weight<Self>> {
     fn bend(
         disc: &Disc<Self>,
         corner: &Vec2<Self>,
-        gravity: &Vec2<Self>,
+        pull: &Vec2<Self>,
+        drag: &Self::Drag,
     ) -> Result<Ordering, Self::Doubt>;
 }
 
-impl<S: Roots> Holding for Falling<S> {
+impl<S: Scalar, M: Medium<S>> Holding for Falling<S, M> {
+    type Drag = M::Drag;
+
     fn away(
         vector: &Vec2<Self>,
         disc: &Disc<Self>,
@@ -131,19 +142,20 @@ impl<S: Roots> Holding for Falling<S> {
     fn bend(
         disc: &Disc<Self>,
         corner: &Vec2<Self>,
-        gravity: &Vec2<Self>,
+        pull: &Vec2<Self>,
+        drag: &M::Drag,
     ) -> Result<Ordering, S::Doubt> {
         let offset = disc.position.minus(corner);
-        let bend = disc.velocity.norm_squared() + offset.dot(gravity);
-        let drift = disc.velocity.dot(gravity);
-        Ok(match (bend.sign()?, drift.sign()?) {
-            (Equal, drift) => drift,
-            (bend, _) => bend,
+        let way = M::way(offset, disc.velocity.clone(), pull, drag);
+        let gap = way.distance(Self::from_integer(0));
+        Ok(match gap.sign(2)? {
+            Equal => gap.sign(3)?,
+            bend => bend,
         })
     }
 }
 
-impl<S: Holding> Weight<S> {
+impl<S: Holding> Weight<S, S::Drag> {
     /// Notes that a disc that a wall holds was held by another one up to now. If
     /// they are at a right angle it is stopped; at rest, and pulled towards both,
     /// it stays where it is.
@@ -166,9 +178,13 @@ impl<S: Holding> Weight<S> {
     }
 }
 
-impl<S: Holding> Pull<S> for Weight<S> {
-    fn acceleration(&self) -> Option<Vec2<Interval>> {
-        Some(self.acting.map(Scalar::hull))
+impl<S: Holding> Pull<S> for Weight<S, S::Drag> {
+    fn acceleration(&self, disc: &Disc<S>) -> Option<Vec2<Interval>> {
+        let moves = self.state != State::Fixed;
+        Some(match moves {
+            true => self.drag.acceleration(&self.acting, disc),
+            false => Vec2::zero(),
+        })
     }
 
     fn holders(&self) -> [Option<usize>; 2] {
@@ -193,13 +209,13 @@ impl<S: Holding> Pull<S> for Weight<S> {
         walls: &[Wall<S>],
     ) -> Result<(), S::Doubt> {
         let segment = &walls[wall].segment;
-        if S::away(&self.gravity, disc, segment)? == Greater {
+        if S::away(&self.free, disc, segment)? == Greater {
             self.let_go();
             return Ok(());
         }
         self.skims = false;
         disc.velocity = S::along(&disc.velocity, segment);
-        self.acting = S::along(&self.gravity, segment);
+        self.acting = S::along(&self.free, segment);
         let before = std::mem::replace(&mut self.state, State::Held(wall, None));
         match before {
             State::Held(other, None) => self.rest_between(disc, [wall, other], walls),
@@ -210,7 +226,7 @@ impl<S: Holding> Pull<S> for Weight<S> {
     fn let_go(&mut self) {
         self.skims = false;
         if self.state != State::Fixed {
-            self.acting = self.gravity.clone();
+            self.acting = self.free.clone();
             self.state = State::Free;
         }
     }
@@ -218,6 +234,6 @@ impl<S: Holding> Pull<S> for Weight<S> {
     fn slide_off(&mut self, disc: &Disc<S>, corner: &Vec2<S>) -> Result<bool, S::Doubt> {
         self.let_go();
         self.skim();
-        Ok(S::bend(disc, corner, &self.gravity)? != Less)
+        Ok(S::bend(disc, corner, &self.free, &self.drag)? != Less)
     }
 }

@@ -44,10 +44,10 @@ impl<S: Timed> Timeline<S> {
         }
         let flight = world.flight(disc, &self.flights.since[disc]);
         let left = S::bouncing(flight, &world.walls[wall].segment, kept)?;
-        let limit = self.now.clone() + &left;
-        let is_close = left.hull().hi() <= CLOSE * limit.hull().lo();
-        (is_close && self.bounces_alone(disc, wall, &limit)).then(|| Accumulation {
-            limit: [limit.clone(), limit],
+        let limit = left.clone().map(|left| self.now.clone() + &left);
+        let is_close = left[1].hull().hi() <= CLOSE * limit[1].hull().lo();
+        (is_close && self.bounces_alone(disc, wall, &limit[1])).then(|| Accumulation {
+            limit,
             proven: !S::ROUNDS,
             word: vec![pair],
         })

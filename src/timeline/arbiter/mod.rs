@@ -23,10 +23,9 @@ use std::fmt::Debug;
 use super::flight::Flights;
 use super::meeting::Meeting;
 use crate::body::Feature;
-use crate::effects::Falling;
+use crate::effects::{Falling, Medium};
 use crate::kernel::Kernel;
-use crate::roots::Roots;
-use crate::scalar::{Exact, Filtered};
+use crate::scalar::{Exact, Filtered, Scalar};
 use crate::symmetry::Symmetry;
 use crate::world::{Obstacle, World};
 pub(super) use algebra::Algebra;
@@ -53,7 +52,7 @@ impl Timed for Falling<Filtered> {
     type Arbiter = Nobody;
 }
 
-impl<S: Roots> Timed for Falling<S> {
+impl<S: Scalar, M: Medium<S>> Timed for Falling<S, M> {
     type Arbiter = Nobody;
 }
 

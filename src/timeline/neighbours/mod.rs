@@ -85,7 +85,8 @@ impl Motion {
     /// How a disc moves from some time on.
     #[inline]
     fn at<S: Kernel>(grid: &Grid, flights: &Flights<S>, disc: usize, time: f64) -> Self {
-        match S::Pull::of(&flights.world.pulls, disc).acceleration() {
+        let pull = S::Pull::of(&flights.world.pulls, disc);
+        match pull.acceleration(&flights.world.discs[disc]) {
             None => Self::of(flights, disc),
             Some(pull) => Self::falling(flights, disc, time, &pull).straight_in(grid, &pull),
         }

@@ -63,7 +63,7 @@ pub(super) fn coordinates(vector: &Vec2<Falling<Filtered>>) -> [f64; 2] {
 /// A vector of stored coordinates.
 #[inline]
 pub(super) fn stored(coordinates: [f64; 2]) -> Vec2<Falling<Filtered>> {
-    let [x, y] = coordinates.map(|number| Falling(Filtered::new(number)));
+    let [x, y] = coordinates.map(|number| Falling::new(Filtered::new(number)));
     Vec2::new(x, y)
 }
 

@@ -19,6 +19,8 @@ fn exactly(vector: &Vector) -> Point {
 }
 
 impl Holding for Falling<Filtered> {
+    type Drag = ();
+
     fn away(
         vector: &Vector,
         disc: &Disc<Self>,
@@ -50,7 +52,12 @@ impl Holding for Falling<Filtered> {
         line(one).along().dot(&line(other).along()).is_zero()
     }
 
-    fn bend(disc: &Disc<Self>, corner: &Vector, gravity: &Vector) -> Result<Ordering, Infallible> {
+    fn bend(
+        disc: &Disc<Self>,
+        corner: &Vector,
+        gravity: &Vector,
+        (): &(),
+    ) -> Result<Ordering, Infallible> {
         let [position, velocity, corner, gravity] =
             [&disc.position, &disc.velocity, corner, gravity].map(exactly);
         let offset = position.minus(&corner);

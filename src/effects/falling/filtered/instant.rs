@@ -241,11 +241,11 @@ impl Time<Falling<Filtered>> for Instant {
     }
 
     fn value(&self) -> Falling<Filtered> {
-        Falling(Filtered::new(self.nearest_after(0.0)))
+        Falling::new(Filtered::new(self.nearest_after(0.0)))
     }
 
     fn value_after(&self, since: &Falling<Filtered>) -> Falling<Filtered> {
-        Falling(Filtered::new(self.nearest_after(since.0.get())))
+        Falling::new(Filtered::new(self.nearest_after(since.0.get())))
     }
 
     /// Rounding keeps the order: there is nothing to lift.

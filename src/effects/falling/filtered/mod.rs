@@ -35,8 +35,9 @@ mod screen;
 use std::convert::Infallible;
 
 use super::Falling;
-use super::kernel::way;
-use super::segment::{self, Touched};
+use super::arc::Arc;
+use super::gap::bouncing;
+use super::segment::Touched;
 use super::weight::Weight;
 use crate::body::Disc;
 use crate::detect::{Encounter, End, Overlap, Segment};
@@ -116,8 +117,16 @@ impl Kernel for Falling<Filtered> {
         Ok(met.map(|met| Met { rest: true, ..met }))
     }
 
-    fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<Self> {
-        segment::bouncing(&way(flight, wall), wall, kept)
+    fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<[Self; 2]> {
+        let Disc {
+            position, velocity, ..
+        } = flight.disc;
+        let arc = Arc::new(
+            position.minus(&wall.from),
+            velocity.clone(),
+            &flight.pull.acting,
+        );
+        bouncing(&arc.quadratic(|power| power.cross(&wall.along)), kept)
     }
 
     fn overlap_discs(first: &Disc<Self>, second: &Disc<Self>) -> Decision<Option<Overlap<Self>>> {
@@ -195,7 +204,7 @@ fn number(falling: &Falling<Filtered>) -> Filtered {
 }
 
 fn lifted(number: &Filtered) -> Falling<Filtered> {
-    Falling(*number)
+    Falling::new(*number)
 }
 
 fn landed(disc: &Disc<Falling<Filtered>>) -> Disc<Filtered> {
@@ -240,7 +249,7 @@ fn enclosed(course: Course, met: &Encounter<Interval>) -> Met<Instant> {
 fn found(course: Course, Meeting { delay, end }: Meeting) -> Met<Instant> {
     let time = match delay.time() {
         Some(time) => Instant::exactly_after(course, end, time),
-        None => Instant::at(Falling(Filtered::new(course.start()))),
+        None => Instant::at(Falling::new(Filtered::new(course.start()))),
     };
     Met {
         time,

@@ -78,10 +78,8 @@ fn way(disc: &Body) -> Arc<Interval> {
 }
 
 fn seen_from(disc: &Body, place: [f64; 2]) -> Arc<Interval> {
-    Arc {
-        offset: difference(disc.position, place),
-        ..way(disc)
-    }
+    let [velocity, pull] = [disc.velocity, disc.pull].map(vector);
+    Arc::new(difference(disc.position, place), velocity, &pull)
 }
 
 /// The difference of two vectors, a point where it is a number of binary64.
