@@ -2,8 +2,8 @@
 
 use num_rational::BigRational;
 
-use crate::effects::{self, Fall, Warp};
-use crate::scalar::{Exact, Filtered, Number, Scalar};
+use crate::effects::{self, Fall, Sink};
+use crate::scalar::{Decay, Exact, Filtered, Number, Scalar};
 use crate::timeline::Timed;
 
 /// How precise the enclosures of exact arithmetic may get.
@@ -71,7 +71,7 @@ impl Budget {
 const SPARE_BITS: u32 = 64;
 
 /// An arithmetic that a user can choose.
-pub trait Arithmetic: Timed {
+pub trait Arithmetic: Timed + Decay {
     /// Its name on the command line and in the log.
     const NAME: &'static str;
 
@@ -96,8 +96,8 @@ pub trait Arithmetic: Timed {
     /// What starts a course under gravity.
     const FALL: Fall<Self>;
 
-    /// How times are warped, under drag.
-    const WARP: Warp<Self>;
+    /// What starts a course through air, if it is to be had.
+    const SINK: Option<Sink<Self>>;
 
     /// A rational of the size that a [`Number`] can have, rounded at most
     /// once.
@@ -129,7 +129,7 @@ pub trait Arithmetic: Timed {
 impl Arithmetic for f64 {
     const NAME: &'static str = "f64";
     const FALL: Fall<Self> = effects::fall;
-    const WARP: Warp<Self> = effects::BINARY64;
+    const SINK: Option<Sink<Self>> = Some(effects::sink);
     /// No product of four numbers overflows or vanishes.
     const RANGE: Option<i32> = Some(Number::BINARY64_RANGE);
 
@@ -160,7 +160,8 @@ impl Arithmetic for f64 {
 impl Arithmetic for Filtered {
     const NAME: &'static str = "filtered";
     const FALL: Fall<Self> = effects::fall;
-    const WARP: Warp<Self> = effects::FILTERED;
+    /// Nobody knows how to decide everything about exponential functions.
+    const SINK: Option<Sink<Self>> = None;
     /// The numbers can be stored, with all their bits.
     const RANGE: Option<i32> = Some(1000);
 
@@ -190,7 +191,7 @@ impl Arithmetic for Filtered {
 impl Arithmetic for Exact {
     const NAME: &'static str = "exact";
     const FALL: Fall<Self> = effects::fall;
-    const WARP: Warp<Self> = effects::EXACT;
+    const SINK: Option<Sink<Self>> = Some(effects::sink);
     const RANGE: Option<i32> = None;
 
     fn certain_bits(&self) -> Option<u32> {

@@ -1,6 +1,7 @@
 //! What of a scene cannot be simulated, told before anything runs (D19).
 
 use crate::arithmetic::Arithmetic;
+use crate::effects;
 use crate::scalar::Number;
 use crate::scene::{Disc, Mass, Restitution, Scene};
 use crate::simulation::Algorithm;
@@ -52,35 +53,29 @@ pub fn check_support<S: Arithmetic>(
     if scene.periodic().is_some() {
         return Err(Unsupported::Effect { place: "periodic" });
     }
-    check_effects(scene, algorithm)?;
+    check_effects::<S>(scene, algorithm)?;
     numbers(scene).try_for_each(|(place, number)| check_number::<S>(place, number))
 }
 
-/// The frame algorithms take all effects.
-fn check_effects(scene: &Scene, algorithm: Algorithm) -> Result<(), Unsupported> {
+/// The frame algorithms take all effects. So does the timeline, but for drag in
+/// an arithmetic that has it in warped time alone.
+fn check_effects<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Result<(), Unsupported> {
     let effects = scene.effects();
-    if algorithm != Algorithm::Timeline {
+    let is_air = effects::is_air(effects, has_moving_wall(scene));
+    if algorithm != Algorithm::Timeline || !is_air || S::SINK.is_some() {
         return Ok(());
     }
-    let refuse = |place, circumstance: &str| {
-        let circumstance = format!("by the timeline {circumstance}");
-        Err(Unsupported::Combination {
-            place,
-            circumstance,
-        })
+    let other = if effects.gravity.is_some() {
+        "gravity"
+    } else if has_moving_wall(scene) {
+        "a moving disc of infinite mass"
+    } else {
+        "elastic_below"
     };
-    match (&effects.gravity, &effects.drag) {
-        (_, None) => Ok(()),
-        (Some(_), Some(_)) => refuse("effects.drag", "together with gravity"),
-        (None, Some(_)) if has_moving_wall(scene) => refuse(
-            "effects.drag",
-            "together with a moving disc of infinite mass",
-        ),
-        (None, Some(_)) if slow_limit(scene).is_some() => {
-            refuse("effects.drag", "together with elastic_below")
-        }
-        (None, Some(_)) => Ok(()),
-    }
+    Err(Unsupported::Combination {
+        place: "effects.drag",
+        circumstance: format!("by the timeline in {}, together with {other}", S::NAME),
+    })
 }
 
 fn has_moving_wall(scene: &Scene) -> bool {

@@ -25,3 +25,4 @@ mod walls;
 
 #[path = "closed_forms/accumulations.rs"]
 mod accumulations;
+mod air;

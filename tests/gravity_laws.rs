@@ -21,6 +21,7 @@ const GENERIC: Family = Family {
     walls: 2,
     pegs: 0,
     pistons: false,
+    drag: 0.0,
     kept: 1.0,
     elastic_below: None,
     touching: false,
@@ -49,12 +50,16 @@ fn check<S: Arithmetic>(families: &[Family], count: u64, options: &Options) {
 
 /// The same families in binary64, and in short in exact arithmetic.
 fn check_both(families: &[Family]) {
+    check_some(families, 200, 20);
+}
+
+fn check_some(families: &[Family], rounded: u64, exact: u64) {
     let options = Options {
         contacts: true,
         max_events: 500,
         ..Options::default()
     };
-    check::<f64>(families, 200, &options);
+    check::<f64>(families, rounded, &options);
     let options = Options {
         max_events: 10,
         budget: Budget {
@@ -63,7 +68,7 @@ fn check_both(families: &[Family]) {
         },
         ..options
     };
-    check::<Exact>(families, 20, &options);
+    check::<Exact>(families, exact, &options);
 }
 
 #[test]
@@ -127,4 +132,31 @@ fn discs_that_do_not_bounce() {
     };
     check_both(&[GENERIC, LATTICE].map(dead));
     check_both(&[GENERIC, LATTICE].map(alone));
+}
+
+/// The same through air, where each impact takes longer to compute.
+#[test]
+fn with_drag() {
+    let through = |drag, family| Family { drag, ..family };
+    let open = Family {
+        boxed: false,
+        walls: 4,
+        pegs: 2,
+        pistons: true,
+        ..LATTICE
+    };
+    let lossy = Family {
+        kept: 0.5,
+        elastic_below: Some(1.0),
+        ..GENERIC
+    };
+    let dead = Family {
+        kept: 0.0,
+        ..LATTICE
+    };
+    let families = [GENERIC, LATTICE, open].map(|family| through(0.5, family));
+    check_some(&families, 40, 4);
+    let families = [lossy, dead].map(|family| through(0.125, family));
+    check_some(&families, 40, 4);
+    check_some(&[through(4.0, GENERIC)], 40, 4);
 }

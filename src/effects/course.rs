@@ -4,8 +4,9 @@ use super::Dragged;
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::impact::Impact;
+use crate::kernel::Kernel;
 use crate::scalar::{Number, Scalar};
-use crate::scene::Effects;
+use crate::scene::{Effects, Restitution};
 use crate::timeline::{Accumulation, Setup, Timed, Timeline};
 use crate::vec2::Vec2;
 use crate::world::World;
@@ -58,6 +59,23 @@ impl<S: Scalar> Clone for Box<dyn Course<S>> {
 pub type Fall<S> =
     fn(World<S>, &Vec2<S>, &S, &Setup<'_>) -> Result<Box<dyn Course<S>>, <S as Scalar>::Doubt>;
 
+/// What starts a course under gravity and drag of some rate.
+pub type Sink<S> =
+    fn(World<S>, &Vec2<S>, &S, &S, &Setup<'_>) -> Result<Box<dyn Course<S>>, <S as Scalar>::Doubt>;
+
+/// Whether drag takes more than time that is warped: something acts that does not
+/// fade as all motion does.
+pub(crate) fn is_air(effects: &Effects, has_moving_wall: bool) -> bool {
+    let tells_slow = matches!(
+        effects.restitution,
+        Restitution::Newton {
+            elastic_below: Some(_),
+            ..
+        }
+    );
+    effects.drag.is_some() && (effects.gravity.is_some() || has_moving_wall || tells_slow)
+}
+
 /// The course of a world from time zero to `until` under the effects of a scene
 /// that is supported. Each effect has its line here.
 ///
@@ -72,19 +90,30 @@ pub fn course<S: Arithmetic>(
     precision: S::Precision,
 ) -> Result<Box<dyn Course<S>>, S::Doubt> {
     let number = |written: &Number| S::from_number(written, precision);
-    if let Some([x, y]) = &effects.gravity {
-        return S::FALL(world, &Vec2::new(number(x), number(y)), until, setup);
+    let gravity = effects.gravity.as_ref();
+    let gravity = gravity.map(|[x, y]| Vec2::new(number(x), number(y)));
+    if let (Some(rate), Some(sink)) = (&effects.drag, S::SINK)
+        && is_air(effects, has_moving_wall(&world))
+    {
+        let gravity = gravity.unwrap_or_default();
+        return sink(world, &gravity, &number(rate), until, setup);
+    }
+    if let Some(gravity) = gravity {
+        return S::FALL(world, &gravity, until, setup);
     }
     if let Some(rate) = &effects.drag {
-        return Ok(Box::new(Dragged::new(
-            world,
-            number(rate),
-            S::WARP,
-            until,
-            setup,
-        )?));
+        return Ok(Box::new(Dragged::new(world, number(rate), until, setup)?));
     }
     Ok(Box::new(Timeline::with_setup(world, until, setup)?))
+}
+
+fn has_moving_wall<S: Kernel>(world: &World<S>) -> bool {
+    let rests = |disc: &Disc<S>| {
+        let Vec2 { x, y } = &disc.velocity;
+        x.is_surely_zero() && y.is_surely_zero()
+    };
+    let mut discs = world.discs.iter();
+    discs.any(|disc| !disc.is_movable() && !rests(disc))
 }
 
 impl<S: Timed> Course<S> for Timeline<S> {

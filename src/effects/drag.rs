@@ -9,82 +9,38 @@
 //! met.
 //!
 //! A moving body of infinite mass feels no drag, and what is a slow impact in one
-//! time is none in the other: together with these drag is refused.
+//! time is none in the other: with these, and with gravity, discs fall through
+//! [`Air`](super::Air).
 
 use super::Course;
 use crate::body::Disc;
 use crate::impact::{Contact, Impact};
-use crate::scalar::{Dyadic, Exact, Filtered, Scalar};
+use crate::scalar::Decay;
 use crate::timeline::{Accumulation, Setup, Timed, Timeline};
 use crate::world::World;
-
-/// What it takes of an arithmetic to translate times.
-#[derive(Clone, Copy, Debug)]
-pub struct Warp<S> {
-    /// 1 - e^-x, for x ≥ 0.
-    pub decay: fn(&S) -> S,
-    /// -ln (1 - x), for x between 0 and 1.
-    pub undecay: fn(&S) -> S,
-}
-
-/// The largest number below 1. To that the decay is rounded, so that warped time
-/// stays below 1/k where numbers round, too.
-const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
-
-/// Binary64, with the functions of the platform.
-pub(crate) const BINARY64: Warp<f64> = Warp {
-    decay: |x| (-(-x).exp_m1()).min(BELOW_ONE),
-    undecay: |x| -(-x.min(BELOW_ONE)).ln_1p(),
-};
-
-/// Proven bounds.
-pub(crate) const EXACT: Warp<Exact> = Warp {
-    decay: Exact::decay,
-    undecay: Exact::undecay,
-};
-
-/// Bounds of so many bits, rounded: the same on every platform.
-pub(crate) const FILTERED: Warp<Filtered> = Warp {
-    decay: |x| Filtered::new(rounded(x.get(), Exact::decay).min(BELOW_ONE)),
-    undecay: |x| Filtered::new(rounded(x.get().min(BELOW_ONE), Exact::undecay)),
-};
-
-const BITS: u32 = 128;
-
-fn rounded(x: f64, function: fn(&Exact) -> Exact) -> f64 {
-    function(&Exact::from_dyadic(Dyadic::from_f64(x), BITS)).to_f64()
-}
 
 /// A timeline in warped time.
 #[derive(Clone, Debug)]
 pub struct Dragged<S: Timed> {
     timeline: Timeline<S>,
     rate: S,
-    warp: Warp<S>,
     /// The limit that was asked for last, and its warped time.
     limit: (S, S),
     /// The time of the latest impact: a logarithm is dear.
     now: S,
 }
 
-impl<S: Timed> Dragged<S> {
+impl<S: Timed + Decay> Dragged<S> {
     /// The course of a world under drag of some rate.
     ///
     /// # Errors
     ///
     /// It cannot be decided what the discs meet first.
-    pub fn new(
-        world: World<S>,
-        rate: S,
-        warp: Warp<S>,
-        until: &S,
-        setup: &Setup<'_>,
-    ) -> Result<Self, S::Doubt> {
-        let end = warped(until, &rate, &warp);
+    pub fn new(world: World<S>, rate: S, until: &S, setup: &Setup<'_>) -> Result<Self, S::Doubt> {
+        let end = warped(until, &rate);
         Ok(Self {
             timeline: Timeline::with_setup(world, &end, setup)?,
             rate,
-            warp,
             limit: (until.clone(), end),
             now: S::from_integer(0),
         })
@@ -94,7 +50,7 @@ impl<S: Timed> Dragged<S> {
         let (limit, warped_limit) = &self.limit;
         match time.compare(limit) {
             Ok(order) if order.is_eq() => warped_limit.clone(),
-            _ => warped(time, &self.rate, &self.warp),
+            _ => warped(time, &self.rate),
         }
     }
 
@@ -104,7 +60,7 @@ impl<S: Timed> Dragged<S> {
             return warped.clone();
         }
         let part = warped.clone() * &self.rate;
-        (self.warp.undecay)(&part) / &self.rate
+        part.undecay() / &self.rate
     }
 
     /// What is left of velocities at a warped time.
@@ -113,11 +69,11 @@ impl<S: Timed> Dragged<S> {
     }
 }
 
-fn warped<S: Scalar>(time: &S, rate: &S, warp: &Warp<S>) -> S {
-    (warp.decay)(&(time.clone() * rate)) / rate
+fn warped<S: Decay>(time: &S, rate: &S) -> S {
+    (time.clone() * rate).decay() / rate
 }
 
-impl<S: Timed> Course<S> for Dragged<S> {
+impl<S: Timed + Decay> Course<S> for Dragged<S> {
     fn next_impact(&mut self, limit: &S) -> Result<Option<Impact<S>>, S::Doubt> {
         self.limit = (limit.clone(), self.warped(limit));
         let Some(impact) = self.timeline.next_impact(&self.limit.1)? else {

@@ -9,9 +9,9 @@ mod drag;
 mod falling;
 mod forces;
 
-pub use course::{Course, Fall, course};
-pub(crate) use drag::{BINARY64, EXACT, FILTERED};
-pub use drag::{Dragged, Warp};
-pub(crate) use falling::fall;
-pub use falling::{Drag, Falling, Holding, Instant, Marker, Medium, Vacuum, Weight};
+pub(crate) use course::is_air;
+pub use course::{Course, Fall, Sink, course};
+pub use drag::Dragged;
+pub use falling::{Air, Drag, Falling, Holding, Instant, Marker, Medium, Rate, Vacuum, Weight};
+pub(crate) use falling::{fall, sink};
 pub use forces::Forces;

@@ -17,6 +17,7 @@ use std::cmp::Ordering::{self, Equal, Greater};
 
 use super::Polynomial;
 use super::enclosure::{Enclosure, Place};
+use super::function::Function;
 use super::span::{Kind, Span};
 use crate::scalar::Undecided;
 
@@ -33,7 +34,7 @@ pub(super) fn first_crossing<E: Enclosure>(
     for span in spans(f)? {
         match span.kind {
             Kind::Simple if span.before == Greater => return Ok(Some(span)),
-            Kind::Open => return Err(doubt(f)),
+            Kind::Open => return Err(doubt(f.bits())),
             _ => {}
         }
     }
@@ -58,31 +59,26 @@ pub(super) fn spans<E: Enclosure>(f: &Polynomial<E>) -> Result<Spans<E>, Undecid
 
 /// Encloses a simple zero as narrowly as the coefficients allow, or to as many
 /// bits as they carry: by a few bits of them first, then by more.
-pub(super) fn sharpen<E: Enclosure>(span: &mut Span<E::Place>, f: &Polynomial<E>) {
-    let (mut some, all) = (FIRST_BITS, bits(f));
+pub(super) fn sharpen<E: Enclosure>(span: &mut Span<E::Place>, f: &impl Function<E>) {
+    let (mut some, all) = (FIRST_BITS, f.bits());
     while some < all {
         // A step doubles what is known: from there on it would need more bits.
-        sharpen_to(span, &f.map(|a| a.rough(some)), some * 3 / 4);
+        sharpen_to(span, &f.rough(some), some * 3 / 4);
         some *= 2;
     }
     sharpen_to(span, f, all);
 }
 
-fn sharpen_to<E: Enclosure>(span: &mut Span<E::Place>, f: &Polynomial<E>, bits: u32) {
+fn sharpen_to<E: Enclosure>(span: &mut Span<E::Place>, f: &impl Function<E>, bits: u32) {
     let slope = f.derivative();
     while !P::<E>::is_narrow([&span.low, &span.high], bits) && span.narrow(f, &slope) {}
 }
 
 type P<E> = <E as Enclosure>::Place;
 
-/// The most bits that a coefficient carries.
-fn bits<E: Enclosure>(f: &Polynomial<E>) -> u32 {
-    f.0.iter().map(E::bits).max().unwrap_or_default()
-}
-
-/// That zeros are left open.
-fn doubt<E: Enclosure>(f: &Polynomial<E>) -> Undecided {
-    Undecided::new(bits(f), "where a polynomial is zero")
+/// That zeros are left open, with so many bits.
+pub(super) fn doubt(bits: u32) -> Undecided {
+    Undecided::new(bits, "where a gap closes")
 }
 
 /// By the signs of the coefficients, none of which is against another.
@@ -103,7 +99,7 @@ fn other_ceilings<E: Enclosure>(
     let others = (0..5).filter(|&other| other != power && !f.0[other].is_surely_zero());
     others
         .map(|other| {
-            let ceiling = f.0[other].ceiling().ok_or_else(|| doubt(f))?;
+            let ceiling = f.0[other].ceiling().ok_or_else(|| doubt(f.bits()))?;
             Ok((ceiling, (other as i64 - power as i64).abs()))
         })
         .collect()
@@ -134,7 +130,7 @@ fn start<E: Enclosure>(f: &Polynomial<E>) -> Result<Span<P<E>>, Undecided> {
             sign,
         ));
     }
-    let ceiling = f.0[0].ceiling().ok_or_else(|| doubt(f))?;
+    let ceiling = f.0[0].ceiling().ok_or_else(|| doubt(f.bits()))?;
     let ceilings = other_ceilings(f, 0)?;
     let roots = ceilings
         .iter()
@@ -146,7 +142,7 @@ fn start<E: Enclosure>(f: &Polynomial<E>) -> Result<Span<P<E>>, Undecided> {
 /// A place beyond all zeros.
 fn end<E: Enclosure>(f: &Polynomial<E>) -> Result<Span<P<E>>, Undecided> {
     let highest = f.powers().map_or(0, |(_, highest)| highest);
-    let exponent = bound(f, highest)?.ok_or_else(|| doubt(f))?;
+    let exponent = bound(f, highest)?.ok_or_else(|| doubt(f.bits()))?;
     let place = P::<E>::power_of_two(exponent);
     Ok(Span::clear(place.clone(), place, f.0[highest].sign()?))
 }
@@ -157,7 +153,7 @@ fn stop<E: Enclosure>(
     slope: &Polynomial<E>,
     mut span: Span<P<E>>,
 ) -> Span<P<E>> {
-    let (curvature, bits) = (slope.derivative(), bits(f));
+    let (curvature, bits) = (slope.derivative(), f.bits());
     loop {
         if let Some(sign) = sign_over(f, slope, &span) {
             return Span::clear(span.low, span.high, sign);
@@ -169,11 +165,11 @@ fn stop<E: Enclosure>(
     }
 }
 
-/// The sign that a polynomial has all over a span: plainly, or by the mean value
+/// The sign that a function has all over a span: plainly, or by the mean value
 /// form.
-pub(super) fn sign_over<E: Enclosure>(
-    f: &Polynomial<E>,
-    slope: &Polynomial<E>,
+pub(super) fn sign_over<E: Enclosure, F: Function<E>>(
+    f: &F,
+    slope: &F,
     span: &Span<P<E>>,
 ) -> Option<Ordering> {
     let certain = |value: E| value.sign().ok().filter(|sign| sign.is_ne());
@@ -181,12 +177,8 @@ pub(super) fn sign_over<E: Enclosure>(
     certain(f.at(&all)).or_else(|| certain(value_over(f, slope, span)))
 }
 
-/// What a polynomial is in a narrow span, in mean value form.
-pub(super) fn value_over<E: Enclosure>(
-    f: &Polynomial<E>,
-    slope: &Polynomial<E>,
-    span: &Span<P<E>>,
-) -> E {
+/// What a function is in a narrow span, in mean value form.
+pub(super) fn value_over<E: Enclosure, F: Function<E>>(f: &F, slope: &F, span: &Span<P<E>>) -> E {
     let all = E::between(&span.low, &span.high);
     let middle = E::at(&P::<E>::middle(&span.low, &span.high));
     f.at(&middle) + slope.at(&all) * (all - middle)

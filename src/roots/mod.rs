@@ -20,11 +20,15 @@
 //! The module `algebraic` keeps such a zero as a number of which everything is
 //! decidable.
 
+mod air;
 pub(crate) mod algebraic;
 mod binary64;
 mod chain;
 mod enclosure;
+mod fading;
+mod function;
 mod proven;
+mod search;
 mod span;
 #[cfg(test)]
 mod tests;
@@ -33,6 +37,7 @@ mod whole;
 use std::cmp::Ordering::{self, Greater};
 
 use crate::scalar::Scalar;
+pub use fading::{Fades, Fading};
 
 /// `a₀ + a₁ t + … + a₄ t⁴`, by ascending powers.
 #[derive(Clone, Debug)]

@@ -1,11 +1,11 @@
-//! Where the sign of a polynomial is not known, and how that is narrowed.
+//! Where the sign of a function is not known, and how that is narrowed.
 
 use std::cmp::Ordering::{self, Equal, Greater};
 
-use super::Polynomial;
 use super::enclosure::{Enclosure, Place};
+use super::function::Function;
 
-/// What is known of a polynomial between two places.
+/// What is known of a function between two places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// It is of the same sign everywhere.
@@ -78,11 +78,11 @@ impl<P: Place> Span<P> {
 
     /// Encloses a simple zero more narrowly, by a step of the interval Newton
     /// method or else by halves; false if no more than this is known of the
-    /// polynomial.
-    pub(super) fn narrow<E: Enclosure<Place = P>>(
+    /// function.
+    pub(super) fn narrow<E: Enclosure<Place = P>, F: Function<E>>(
         &mut self,
-        f: &Polynomial<E>,
-        slope: &Polynomial<E>,
+        f: &F,
+        slope: &F,
     ) -> bool {
         let (low, high) = (self.low.clone(), self.high.clone());
         let middle = P::middle(&low, &high);

@@ -12,6 +12,7 @@
 
 mod ball;
 mod binary64;
+mod decay;
 mod dyadic;
 mod exact;
 mod filtered;
@@ -34,6 +35,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_rational::BigRational;
 
+pub use decay::Decay;
 pub(crate) use dyadic::Dyadic;
 pub use exact::Exact;
 pub use filtered::Filtered;

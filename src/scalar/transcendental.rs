@@ -107,12 +107,21 @@ impl Exact {
     /// 1 - e^-x, for x ≥ 0.
     pub(crate) fn decay(&self) -> Self {
         let one = BigRational::one;
-        self.increasing(|x, bits| {
+        self.increasing(1, |x, bits| {
             let [low, high] = exp_minus(&x.clone().max(BigRational::zero()), bits);
             [
                 one() - high.min(one()),
                 one() - low.max(BigRational::zero()),
             ]
+        })
+    }
+
+    /// x - (1 - e^-x), for x ≥ 0.
+    pub(crate) fn lag(&self) -> Self {
+        self.increasing(2, |x, bits| {
+            let x = x.clone().max(BigRational::zero());
+            let behind = &x - BigRational::one();
+            exp_minus(&x, bits).map(|power| (power + &behind).max(BigRational::zero()))
         })
     }
 
@@ -122,15 +131,19 @@ impl Exact {
         if self.enclosure().is_some_and(|(_, hi)| hi >= one) {
             return Self::unknown(self.precision());
         }
-        self.increasing(|x, bits| {
+        self.increasing(1, |x, bits| {
             let [low, high] = ln(&(&one - x), bits);
             [-high, -low]
         })
     }
 
-    /// The value of an increasing function that is about the number itself where
-    /// that is small, given its bounds at a point to within about 2^-bits.
-    fn increasing(&self, bounds: impl Fn(&BigRational, u32) -> [BigRational; 2]) -> Self {
+    /// The value of an increasing function that goes as such a power of the number
+    /// where that is small, given its bounds at a point to within about 2^-bits.
+    fn increasing(
+        &self,
+        power: u32,
+        bounds: impl Fn(&BigRational, u32) -> [BigRational; 2],
+    ) -> Self {
         let bits = self.precision();
         let Some((lo, hi)) = self.enclosure() else {
             return self.clone();
@@ -139,7 +152,7 @@ impl Exact {
             return self.clone();
         }
         let small = hi.denom().bits().saturating_sub(hi.numer().bits());
-        let all = bits + u32::try_from(small).unwrap_or(u32::MAX / 2);
+        let all = bits + power * u32::try_from(small).unwrap_or(u32::MAX / 4);
         let [least, most] = bounds(&hi, all);
         let least = if lo == hi {
             least

@@ -96,9 +96,13 @@ fn numbers_beyond_binary64_need_exact_arithmetic() {
 #[test]
 fn effects_that_do_not_go_together_are_refused() {
     let both = r#""effects": {"gravity": [0, -1], "drag": {"linear": 1}},"#;
-    let message = refusal(one_disc(DISC, both));
-    let expected = "effects.drag: not available by the timeline together with gravity";
-    assert_eq!(message, expected);
+    let scratch = Scratch::new();
+    let name = scratch.write("both.json", one_disc(DISC, both));
+    let (code, message) = ending(&["run", &name, "--arithmetic", "filtered"]);
+    assert_eq!(code, 2);
+    let expected = "effects.drag: not available by the timeline in filtered, together with gravity";
+    assert_eq!(message.trim_end(), format!("carom: {name}: {expected}"));
+    results(&["run", &name]);
 }
 
 #[test]

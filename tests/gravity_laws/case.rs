@@ -33,10 +33,12 @@ pub(crate) struct Ball {
     pub(crate) mass: f64,
 }
 
-/// A scene under gravity.
+/// A scene under gravity, and perhaps drag.
 #[derive(Clone, Debug)]
 pub(crate) struct Case {
     pub(crate) gravity: Point,
+    /// The rate of the drag, or zero.
+    pub(crate) drag: f64,
     pub(crate) balls: Vec<Ball>,
     pub(crate) walls: Vec<[Point; 2]>,
     /// Newton's coefficient.
@@ -57,6 +59,7 @@ impl Case {
         });
         let scene = lasting(&self.duration.to_string())
             .gravity(self.gravity)
+            .linear_drag(self.drag)
             .discs(discs.collect::<Vec<_>>())
             .restitution(Restitution::Newton {
                 coefficient: number(self.kept),
@@ -70,11 +73,12 @@ impl Case {
         scene.build().unwrap()
     }
 
-    pub(crate) fn is_elastic(&self) -> bool {
-        self.kept == 1.0
+    /// Whether energy stays what it is.
+    pub(crate) fn is_conservative(&self) -> bool {
+        self.kept == 1.0 && self.drag == 0.0 && !self.has_pistons()
     }
 
-    pub(crate) fn has_pistons(&self) -> bool {
+    fn has_pistons(&self) -> bool {
         self.balls
             .iter()
             .any(|ball| ball.mass.is_infinite() && ball.velocity != [0.0; 2])
@@ -126,6 +130,7 @@ pub(crate) struct Family {
     pub(crate) walls: u64,
     pub(crate) pegs: u64,
     pub(crate) pistons: bool,
+    pub(crate) drag: f64,
     pub(crate) kept: f64,
     pub(crate) elastic_below: Option<f64>,
     /// Whether discs start on walls, or on each other.
@@ -152,6 +157,7 @@ impl Family {
         let gravity = random.pick(&pulls);
         let mut case = Case {
             gravity,
+            drag: self.drag,
             balls: Vec::new(),
             walls: self.walls(random),
             kept: self.kept,

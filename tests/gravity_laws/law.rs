@@ -58,7 +58,7 @@ pub(crate) fn check<S: Scalar>(case: &Case, outcome: &Outcome<S>) -> Result<(), 
         }
         walk.collide(time, impact)
             .map_err(|text| format!("#{n} at {time}: {text}"))?;
-        if case.is_elastic() && !case.has_pistons() {
+        if case.is_conservative() {
             let found = walk.energy(time);
             if (found - energy).abs() > 1e-7 * (1.0 + energy.abs()) {
                 return Err(format!("#{n}: energy {found} instead of {energy}"));
@@ -81,6 +81,15 @@ pub(crate) fn check<S: Scalar>(case: &Case, outcome: &Outcome<S>) -> Result<(), 
         }
     }
     Ok(())
+}
+
+/// Through air, by v' = g - k v: towards the velocity g / k.
+fn faded(flight: &Flight, gravity: Point, k: f64, t: f64) -> (Point, Point) {
+    let [ahead, left] = [-(-k * t).exp_m1() / k, (-k * t).exp()];
+    let last = plus([0.0; 2], gravity, 1.0 / k);
+    let excess = minus(flight.velocity, last);
+    let place = plus(plus(flight.place, last, t), excess, ahead);
+    (place, plus(last, excess, left))
 }
 
 /// What a disc touches: how far it is, and where it is nearest.
@@ -122,8 +131,13 @@ impl Walk<'_> {
         let flight = &self.flights[disc];
         let pull = self.pull(disc);
         let t = time - flight.since;
-        let place = plus(plus(flight.place, flight.velocity, t), pull, t * t / 2.0);
-        (place, plus(flight.velocity, pull, t))
+        match self.case.drag {
+            k if k > 0.0 && self.case.balls[disc].mass.is_finite() => faded(flight, pull, k, t),
+            _ => {
+                let place = plus(plus(flight.place, flight.velocity, t), pull, t * t / 2.0);
+                (place, plus(flight.velocity, pull, t))
+            }
+        }
     }
 
     fn energy(&self, time: f64) -> f64 {
@@ -185,12 +199,41 @@ impl Walk<'_> {
         self.flights[disc].velocity = self.held(disc, velocity);
     }
 
+    /// When a held disc gets to an end of its wall, through air: by halves, from
+    /// the first of many times at which it is beyond.
+    fn fades_until(&self, disc: usize, wall: usize) -> Option<f64> {
+        let [from, to] = self.case.walls[wall];
+        let along = minus(to, from);
+        let since = self.flights[disc].since;
+        let part = |t: f64| {
+            let (place, _) = self.at(disc, since + t);
+            dot(minus(place, from), along) / dot(along, along)
+        };
+        let is_beyond = |t: f64| !(-1e-12..=1.0 + 1e-12).contains(&part(t));
+        let step = 1e-3;
+        let steps = (self.case.duration / step) as u32;
+        let first = (1..=steps).find(|&count| is_beyond(step * f64::from(count)))?;
+        let [mut low, mut high] = [first - 1, first].map(|count| step * f64::from(count));
+        for _ in 0..60 {
+            let middle = (low + high) / 2.0;
+            if is_beyond(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        Some(since + high)
+    }
+
     /// When a held disc gets to an end of its wall.
     fn slides_until(&self, disc: usize) -> Option<f64> {
         let flight = &self.flights[disc];
         let [wall] = flight.holds[..] else {
             return None;
         };
+        if self.case.drag > 0.0 {
+            return self.fades_until(disc, wall);
+        }
         let [from, to] = self.case.walls[wall];
         let along = minus(to, from);
         let square = dot(along, along);

@@ -1,5 +1,6 @@
 //! The timeline of bodies that fall, told in numbers of the arithmetic itself.
 
+use super::air::{Air, Rate};
 use super::medium::Marker;
 use super::{Falling, Weight};
 use crate::arithmetic::Arithmetic;
@@ -7,6 +8,7 @@ use crate::body::Disc;
 use crate::effects::Course;
 use crate::impact::Impact;
 use crate::kernel::Kernel;
+use crate::roots::Fades;
 use crate::scalar::Scalar;
 use crate::timeline::{Accumulation, Setup, Timed, Timeline};
 use crate::vec2::Vec2;
@@ -39,6 +41,30 @@ where
     let weight = |disc: &Disc<_>| match disc.is_movable() {
         true => Weight::free(gravity.clone(), ()),
         false => Weight::default(),
+    };
+    start(world, weight, until, setup)
+}
+
+/// The course of a world under gravity and drag of some rate.
+///
+/// # Errors
+///
+/// It cannot be decided what the discs meet first.
+pub(crate) fn sink<S>(
+    world: World<S>,
+    gravity: &Vec2<S>,
+    rate: &S,
+    until: &S,
+    setup: &Setup<'_>,
+) -> Result<Box<dyn Course<S>>, S::Doubt>
+where
+    S: Arithmetic + Fades,
+{
+    let tends = gravity.map(|number| lifted(&(number.clone() / rate)));
+    let rate = Rate(lifted::<S, Air>(rate));
+    let weight = |disc: &Disc<_>| match disc.is_movable() {
+        true => Weight::free(tends.clone(), rate.clone()),
+        false => Weight::fixed(disc.velocity.clone(), rate.clone()),
     };
     start(world, weight, until, setup)
 }

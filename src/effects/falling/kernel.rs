@@ -3,23 +3,15 @@
 use super::Falling;
 use super::circle;
 use super::gap;
-use super::medium::{Marker, Medium};
+use super::medium::Medium;
 use super::segment::{self, Touched};
 use super::trajectory::Trajectory;
 use super::weight::Weight;
 use crate::body::Disc;
 use crate::detect::{End, Segment};
 use crate::kernel::{Approach, Flight, Kernel, Met};
-use crate::roots::{Descent, Polynomial, Roots};
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
-
-impl<S: Roots, M: Marker> Roots for Falling<S, M> {
-    fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, S::Doubt> {
-        let f = Polynomial(f.0.clone().map(|number| number.0));
-        Ok(S::descent(&f)?.map(|met| met.map(Self::new)))
-    }
-}
 
 impl<S: Scalar, M: Medium<S>> Kernel for Falling<S, M> {
     type Time = Self;

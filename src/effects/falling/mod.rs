@@ -8,6 +8,7 @@
 //! What has collided and parts may come back. Then it is known by construction
 //! that the two touch where they start from: a root is divided out.
 
+mod air;
 mod arc;
 mod circle;
 mod course;
@@ -20,7 +21,8 @@ mod segment;
 mod trajectory;
 mod weight;
 
-pub(crate) use course::fall;
+pub use air::{Air, Rate};
+pub(crate) use course::{fall, sink};
 pub use filtered::Instant;
 pub use medium::{Drag, Marker, Medium, Vacuum};
 pub use number::Falling;

@@ -7,7 +7,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use num_rational::BigRational;
 
 use super::medium::{Marker, Vacuum};
-use crate::scalar::{Interval, Number, Scalar};
+use crate::roots::{Descent, Fades, Fading, Polynomial, Roots};
+use crate::scalar::{Decay, Interval, Number, Scalar};
 
 /// A number as it is, of bodies that gravity pulls through a [`Medium`].
 ///
@@ -94,6 +95,34 @@ impl<S: Scalar, M: Marker> Scalar for Falling<S, M> {
 
     fn enclosure(&self) -> Option<(BigRational, BigRational)> {
         self.0.enclosure()
+    }
+}
+
+impl<S: Roots, M: Marker> Roots for Falling<S, M> {
+    fn descent(f: &Polynomial<Self>) -> Result<Option<Descent<Self>>, S::Doubt> {
+        let f = Polynomial(f.0.clone().map(|number| number.0));
+        Ok(S::descent(&f)?.map(|met| met.map(Self::new)))
+    }
+}
+
+impl<S: Decay, M: Marker> Decay for Falling<S, M> {
+    fn decay(&self) -> Self {
+        Self::new(self.0.decay())
+    }
+
+    fn undecay(&self) -> Self {
+        Self::new(self.0.undecay())
+    }
+}
+
+impl<S: Fades, M: Marker> Fades for Falling<S, M> {
+    fn lag(&self) -> Self {
+        Self::new(self.0.lag())
+    }
+
+    fn descent(f: &Fading<Self>, zeros: usize) -> Result<Option<Descent<Self>>, S::Doubt> {
+        let f = f.map(|number| number.0.clone());
+        Ok(S::descent(&f, zeros)?.map(|met| met.map(Self::new)))
     }
 }
 

@@ -1,0 +1,151 @@
+//! What drag makes of time: 1 - e^-x, which nears 1 as x grows, and how far that
+//! *lags* behind x.
+
+use super::{Dyadic, Exact, Filtered, Interval, Scalar};
+
+/// Numbers with the exponential function, as far as linear drag needs it.
+pub trait Decay: Scalar {
+    /// 1 - e^-x, for x ≥ 0. It is below 1, also where it rounds.
+    #[must_use]
+    fn decay(&self) -> Self;
+
+    /// -ln (1 - x), for x between 0 and 1.
+    #[must_use]
+    fn undecay(&self) -> Self;
+}
+
+/// The largest number below 1.
+const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
+
+/// With the functions of the platform.
+impl Decay for f64 {
+    fn decay(&self) -> Self {
+        (-(-self).exp_m1()).min(BELOW_ONE)
+    }
+
+    fn undecay(&self) -> Self {
+        -(-self.min(BELOW_ONE)).ln_1p()
+    }
+}
+
+/// Proven bounds.
+impl Decay for Exact {
+    fn decay(&self) -> Self {
+        self.decay()
+    }
+
+    fn undecay(&self) -> Self {
+        self.undecay()
+    }
+}
+
+/// Bounds of so many bits, rounded: the same on every platform.
+impl Decay for Filtered {
+    fn decay(&self) -> Self {
+        Self::new(rounded(self.get(), Exact::decay).min(BELOW_ONE))
+    }
+
+    fn undecay(&self) -> Self {
+        Self::new(rounded(self.get().min(BELOW_ONE), Exact::undecay))
+    }
+}
+
+const BITS: u32 = 128;
+
+fn rounded(x: f64, function: fn(&Exact) -> Exact) -> f64 {
+    function(&Exact::from_dyadic(Dyadic::from_f64(x), BITS)).to_f64()
+}
+
+impl Interval {
+    /// Bounds of 1 - e^-x, for x ≥ 0.
+    pub(crate) fn decay(self) -> Self {
+        let [low, high] = self.ends_of(|[decay, _]| decay);
+        Self::new(low.lo(), high.hi().min(1.0))
+    }
+
+    /// Bounds of x - (1 - e^-x), for x ≥ 0: about x²/2 where that is small.
+    pub(crate) fn lag(self) -> Self {
+        let [low, high] = self.ends_of(|[_, lag]| lag);
+        Self::new(low.lo(), high.hi())
+    }
+
+    /// An increasing function at both ends.
+    fn ends_of(self, which: fn([Self; 2]) -> Self) -> [Self; 2] {
+        [self.lo(), self.hi()].map(|end| which(decay_and_lag(end.max(0.0))))
+    }
+}
+
+/// From here on 1 - e^-x is 1 but for less than a unit in the last place.
+const LATE: f64 = 64.0;
+
+/// Up to here the series is summed.
+const SMALL: f64 = 1.0 / 16.0;
+
+/// 1 - e^-x and x - (1 - e^-x). With D and L those of x, those of 2 x are
+/// D (2 - D) and 2 L + D², where nothing cancels.
+fn decay_and_lag(x: f64) -> [Interval; 2] {
+    if x >= LATE {
+        let decay = Interval::new(BELOW_ONE, 1.0);
+        return [decay, Interval::point(x) - decay];
+    }
+    let doublings = if x > SMALL {
+        (x / SMALL).log2().ceil() as i32
+    } else {
+        0
+    };
+    let start = Interval::point(x / f64::from(doublings).exp2());
+    let mut lag = small_lag(start);
+    let mut decay = start - lag;
+    let two = Interval::point(2.0);
+    for _ in 0..doublings {
+        lag = two * lag + decay.square();
+        decay = decay * (two - decay);
+    }
+    [decay, lag]
+}
+
+/// x²/2! - x³/3! + …, where the terms fall.
+fn small_lag(x: Interval) -> Interval {
+    const FACTORIALS: [f64; 9] = [
+        2.0, 6.0, 24.0, 120.0, 720.0, 5040.0, 40320.0, 362880.0, 3628800.0,
+    ];
+    let one = Interval::point(1.0);
+    // What follows is between nothing and the next term.
+    let rest = Interval::new(0.0, 1.0 / 39_916_800.0);
+    let coefficients = FACTORIALS
+        .iter()
+        .rev()
+        .map(|&factorial| one / Interval::point(factorial));
+    x.square() * coefficients.fold(rest, |sum, next| next - x * sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use num_traits::ToPrimitive;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        /// Against the bounds by whole numbers, of 128 bits.
+        #[test]
+        fn bounds_hold_and_are_narrow(mantissa in 1.0..2.0_f64, exponent in -60..10_i32) {
+            let x = mantissa * f64::from(exponent).exp2();
+            let exact = Exact::from_dyadic(Dyadic::from_f64(x), 256);
+            let narrow = Interval::point(x);
+            for (bounds, truth) in [(narrow.decay(), exact.decay()), (narrow.lag(), exact.lag())] {
+                let (lo, hi) = truth.enclosure().unwrap();
+                let truth = [lo, hi].map(|end| end.to_f64().unwrap());
+                prop_assert!(bounds.lo() <= truth[0].next_up() && truth[1].next_down() <= bounds.hi());
+                prop_assert!(bounds.hi() - bounds.lo() <= 1e-14 * bounds.hi());
+            }
+        }
+    }
+
+    #[test]
+    fn at_nothing_there_is_nothing() {
+        let zero = Interval::point(0.0);
+        assert_eq!([zero.decay().lo(), zero.decay().hi()], [0.0, 0.0]);
+        assert_eq!([zero.lag().lo(), zero.lag().hi()], [0.0, 0.0]);
+    }
+}
