@@ -50,7 +50,7 @@ pub(super) fn first_descent<E: Enclosure, F: Function<E>>(
         let Some(part) = parts.pop() else {
             return Ok(None);
         };
-        let after = match search.sign_after(&part) {
+        let after = match search.sign_after(&part)? {
             Some(sign) => sign,
             None if part.is_done(bits) => search.sign_at(&part.high)?,
             None => {
@@ -90,24 +90,22 @@ impl<F> Search<F> {
         Self { derivatives, open }
     }
 
-    /// The sign at the end of a part, if it is certain and there is at most one
+    /// The sign at the end of a part, if it is certain that there is at most one
     /// zero in it.
-    fn sign_after<E: Enclosure>(&self, part: &Part<E::Place>) -> Option<Ordering>
+    fn sign_after<E: Enclosure>(&self, part: &Part<E::Place>) -> Result<Option<Ordering>, Undecided>
     where
         F: Function<E>,
     {
-        let [f, slope] = &self.derivatives[..2] else {
-            return None;
-        };
         let zeros = self.derivatives.len() - 2;
         let order = if part.is_first() { zeros } else { 0 };
         let span = Span::open(part.low.clone(), part.high.clone());
-        let certain = |value: E| value.sign().ok().filter(|sign| sign.is_ne());
         let [head, next] = [order, order + 1].map(|order| &self.derivatives[order]);
-        sign_over(head, next, &span).or_else(|| {
-            certain(slope.at(&E::between(&part.low, &part.high)))?;
-            certain(f.at(&E::at(&part.high)))
-        })
+        if let Some(sign) = sign_over(head, next, &span) {
+            return Ok(Some(sign));
+        }
+        let slope = self.derivatives[1].at(&E::between(&part.low, &part.high));
+        let is_monotone = slope.sign().is_ok_and(Ordering::is_ne);
+        is_monotone.then(|| self.sign_at(&part.high)).transpose()
     }
 
     /// The sign at a place: that of what is computed, if need be.
