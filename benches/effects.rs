@@ -1,5 +1,5 @@
 //! What an effect costs an impact: a gas in a box, event-driven, without effects,
-//! under drag and under gravity.
+//! under drag, under gravity, and under both.
 
 #![allow(missing_docs, reason = "the macros of criterion make public items")]
 
@@ -33,6 +33,7 @@ fn measure<S: Arithmetic>(criterion: &mut Criterion, discs: u32, impacts: u64) {
         ("none", calm()),
         ("drag", calm().linear_drag("1/1000")),
         ("gravity", calm().gravity(["0", "-1/10"])),
+        ("both", calm().gravity(["0", "-1/10"]).linear_drag("1/1000")),
     ];
     for (name, scene) in scenes {
         let scene = scene.build().expect("a valid scene");

@@ -1,4 +1,4 @@
-//! When a polynomial of degree 4 or less comes down to zero.
+//! When a gap comes down to zero: a polynomial of degree 4 or less, mostly.
 //!
 //! Under uniform gravity the gap between a disc and the line of a wall is a
 //! quadratic in time; that between a disc and a point, or a body of infinite
@@ -16,6 +16,9 @@
 //! | [`Interval`](crate::scalar::Interval) | enclosed | left open |
 //! | [`Exact`](crate::scalar::Exact), all coefficients rational | rational, or enclosed | decided, always |
 //! | [`Exact`](crate::scalar::Exact) otherwise | enclosed | left open |
+//!
+//! Through air it is a function of exponentials, [`Fading`], of which the zeros are
+//! enclosed by cutting the time into parts.
 //!
 //! The module `algebraic` keeps such a zero as a number of which everything is
 //! decidable.
