@@ -10,14 +10,18 @@
 //! paper's `timepassed` runs from zero to one (D2).
 
 mod bounded;
+mod candidates;
 mod clock;
 mod multiple;
 mod overlap;
 mod pass;
+mod reach;
 mod retroactive;
 mod single;
 mod synchronised;
 
+pub use crate::broad_phase::BroadPhase;
+pub use candidates::Candidates;
 pub use multiple::{Passes, multiple};
 pub use retroactive::retroactive;
 pub use single::single;
