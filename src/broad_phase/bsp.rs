@@ -6,6 +6,9 @@
 //!
 //! The nodes stand in one array, each before those below it, with the place where
 //! those end: a walk goes through the array, and past what an area does not reach.
+//!
+//! Any lines will do. Those that were good for what is there go on to be so for
+//! some time, while it moves: they are drawn anew only now and then.
 
 use super::area::Area;
 
@@ -15,11 +18,17 @@ const FEW: usize = 6;
 /// So many lines are not crossed to get anywhere.
 const DEEPEST: usize = 48;
 
+/// So often lines are used.
+const USES: u32 = 16;
+
 /// The lines, and the parts that they leave.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
     parts: usize,
+    /// For how many areas they were drawn, and how often they may still be used.
+    drawn_for: usize,
+    uses: u32,
     /// The bodies in the nodes that are being split, the innermost last.
     bodies: Vec<u32>,
 }
@@ -61,8 +70,16 @@ impl Side {
 }
 
 impl Tree {
-    /// Splits the plane for some areas.
-    pub(super) fn grow(&mut self, areas: &[Area]) {
+    /// Splits the plane for some areas, unless it is split well enough.
+    pub(super) fn adapt(&mut self, areas: &[Area]) {
+        if self.uses == 0 || self.drawn_for != areas.len() {
+            self.grow(areas);
+            (self.drawn_for, self.uses) = (areas.len(), USES);
+        }
+        self.uses -= 1;
+    }
+
+    fn grow(&mut self, areas: &[Area]) {
         self.nodes.clear();
         self.parts = 0;
         self.bodies.clear();

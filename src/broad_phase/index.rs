@@ -101,10 +101,10 @@ impl Partition {
     /// Divides the plane anew for some areas.
     fn adapt(&mut self, phase: BroadPhase, areas: &[Area]) {
         match (phase, &mut *self) {
-            (BroadPhase::Bsp, Self::Tree(tree)) => tree.grow(areas),
+            (BroadPhase::Bsp, Self::Tree(tree)) => tree.adapt(areas),
             (BroadPhase::Bsp, _) => {
                 let mut tree = Tree::default();
-                tree.grow(areas);
+                tree.adapt(areas);
                 *self = Self::Tree(tree);
             }
             (BroadPhase::Grid, _) => *self = Grid::of(areas).map_or(Self::Whole, Self::Grid),
