@@ -7,12 +7,11 @@
 //! [`BroadPhase::AllPairs`] leaves no pair out: it costs what the paper's algorithms
 //! cost, and finds no more.
 
+use super::reach;
 use crate::broad_phase::{Area, BroadPhase, Index};
 use crate::kernel::Kernel;
 use crate::scalar::Interval;
 use crate::world::{Obstacle, World};
-
-use super::reach;
 
 /// So few bodies are all looked at as quickly.
 const FEW: usize = 16;
