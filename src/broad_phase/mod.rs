@@ -2,7 +2,7 @@
 //!
 //! What a body may touch within some time lies within an *area*, a box with sides
 //! along the axes. Bodies whose areas have no point in common do not meet. An
-//! [`Index`] finds, for each body, those whose areas overlap its own: precisely
+//! `Index` finds, for each body, those whose areas overlap its own: precisely
 //! those, whichever way it divides the plane. For a point of two areas is in some
 //! part of the plane, in which both are entered.
 //!
