@@ -15,6 +15,7 @@
 pub mod algebra;
 pub mod arithmetic;
 pub mod body;
+pub mod broad_phase;
 pub mod check;
 pub mod contacts;
 pub mod detect;

@@ -8,9 +8,8 @@ use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
 use crate::contacts::Contacts;
 use crate::effects::{Course, Forces, course};
-use crate::frame::{self, Frame, Passes};
+use crate::frame::{self, BroadPhase, Candidates, Frame, Passes};
 use crate::impact::Impact;
-use crate::kernel::Kernel;
 use crate::scene::{self, Scene};
 use crate::timeline::{Accumulation, Setup, Timed};
 use crate::world::World;
@@ -56,8 +55,17 @@ pub struct Simulation<S: Timed> {
 
 #[derive(Clone, Debug)]
 enum Machine<S: Timed> {
-    Frames(World<S>, Algorithm, Option<Forces<S>>),
+    Frames(Box<Frames<S>>),
     Timeline(Box<dyn Course<S>>),
+}
+
+/// A frame algorithm at work.
+#[derive(Clone, Debug)]
+struct Frames<S: Timed> {
+    world: World<S>,
+    algorithm: Algorithm,
+    forces: Option<Forces<S>>,
+    candidates: Candidates,
 }
 
 impl<S: Arithmetic> Simulation<S> {
@@ -80,10 +88,12 @@ impl<S: Arithmetic> Simulation<S> {
                 let setup = Setup::default();
                 Machine::Timeline(course(world, effects, &end, &setup, precision)?)
             }
-            _ => {
-                let forces = Forces::of(scene.effects(), precision);
-                Machine::Frames(world, algorithm, forces)
-            }
+            _ => Machine::Frames(Box::new(Frames {
+                world,
+                algorithm,
+                forces: Forces::of(scene.effects(), precision),
+                candidates: Candidates::default(),
+            })),
         };
         Ok(Self {
             machine,
@@ -91,6 +101,15 @@ impl<S: Arithmetic> Simulation<S> {
             precision,
             frame: 0,
         })
+    }
+
+    /// The same, but a frame algorithm finds the pairs that it tests like this.
+    #[must_use]
+    pub fn with_broad_phase(mut self, phase: BroadPhase) -> Self {
+        if let Machine::Frames(frames) = &mut self.machine {
+            frames.candidates = Candidates::new(phase);
+        }
+        self
     }
 
     /// Simulates the next frame and returns its impacts: of infinitely many
@@ -103,12 +122,7 @@ impl<S: Arithmetic> Simulation<S> {
         let frame = self.clock.frame(self.frame, self.precision);
         self.frame += 1;
         match &mut self.machine {
-            Machine::Frames(world, algorithm, forces) => {
-                if let Some(forces) = forces {
-                    forces.act(world, &frame.duration);
-                }
-                step(world, &frame, *algorithm)
-            }
+            Machine::Frames(frames) => frames.step(&frame),
             Machine::Timeline(timeline) => {
                 let end = self.clock.start_of(self.frame, self.precision);
                 std::iter::from_fn(|| timeline.next_impact(&end).transpose()).collect()
@@ -128,7 +142,7 @@ impl<S: Arithmetic> Simulation<S> {
     /// The discs as they are at the end of the latest frame.
     pub fn discs(&self) -> Vec<Disc<S>> {
         match &self.machine {
-            Machine::Frames(world, ..) => world.discs.clone(),
+            Machine::Frames(frames) => frames.world.discs.clone(),
             Machine::Timeline(timeline) => {
                 timeline.discs_at(&self.clock.start_of(self.frame, self.precision))
             }
@@ -138,24 +152,32 @@ impl<S: Arithmetic> Simulation<S> {
     /// What touches by construction at the end of the latest frame.
     pub fn contacts(&self) -> Contacts {
         match &self.machine {
-            Machine::Frames(world, ..) => world.contacts.clone(),
+            Machine::Frames(frames) => frames.world.contacts.clone(),
             Machine::Timeline(timeline) => Contacts::none(timeline.disc_count()),
         }
     }
 }
 
-/// Simulates a frame with one of the paper's algorithms.
-fn step<S: Kernel>(
-    world: &mut World<S>,
-    frame: &Frame<S>,
-    algorithm: Algorithm,
-) -> Result<Vec<Impact<S>>, S::Doubt> {
-    match algorithm {
-        Algorithm::Retroactive { substeps } => frame::retroactive(world, frame, substeps),
-        Algorithm::Single => frame::single(world, frame),
-        Algorithm::Multiple(passes) => frame::multiple(world, frame, passes),
-        Algorithm::Synchronised(passes) => frame::synchronised(world, frame, passes),
-        Algorithm::Timeline => unreachable!("the timeline is no frame algorithm"),
+impl<S: Timed> Frames<S> {
+    /// Simulates a frame with one of the paper's algorithms.
+    fn step(&mut self, frame: &Frame<S>) -> Result<Vec<Impact<S>>, S::Doubt> {
+        let Self {
+            world, candidates, ..
+        } = self;
+        if let Some(forces) = &self.forces {
+            forces.act(world, &frame.duration);
+        }
+        match self.algorithm {
+            Algorithm::Retroactive { substeps } => {
+                frame::retroactive(world, frame, substeps, candidates)
+            }
+            Algorithm::Single => frame::single(world, frame, candidates),
+            Algorithm::Multiple(passes) => frame::multiple(world, frame, passes, candidates),
+            Algorithm::Synchronised(passes) => {
+                frame::synchronised(world, frame, passes, candidates)
+            }
+            Algorithm::Timeline => unreachable!("the timeline is no frame algorithm"),
+        }
     }
 }
 

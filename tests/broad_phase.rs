@@ -1,4 +1,7 @@
-//! The ways to find what a disc may meet lead to the same impacts.
+//! The ways to find what a disc may meet lead to the same impacts: here on the
+//! timeline.
+
+mod frames;
 
 use crate::common::strategy::cases;
 use crate::common::{attempt, name};

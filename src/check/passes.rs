@@ -16,7 +16,7 @@ use super::record::Claim;
 use super::window::Window;
 use super::{Effort, trial};
 use crate::arithmetic::Arithmetic;
-use crate::frame::{Frame, Passes, multiple};
+use crate::frame::{Candidates, Frame, Passes, multiple};
 use crate::impact::Impact;
 use crate::kernel::Kernel;
 use crate::scene::Scene;
@@ -67,7 +67,9 @@ fn passes<S: Arithmetic>(world: &World<S>, frame: &Frame<S>, most: u32) -> Optio
     let mut passes: Vec<Pass<S>> = Vec::new();
     for count in 1..=most {
         let mut end = world.clone();
-        let mut collisions = multiple(&mut end, frame, Passes::Count(count)).ok()?;
+        let candidates = &mut Candidates::default();
+        let passed = multiple(&mut end, frame, Passes::Count(count), candidates);
+        let mut collisions = passed.ok()?;
         let known: usize = passes.iter().map(|pass| pass.collisions.len()).sum();
         collisions.drain(..known);
         let is_last = collisions.is_empty();

@@ -4,10 +4,10 @@ use std::str::FromStr;
 use std::time::Duration;
 
 use carom::arithmetic::{Arithmetic as _, Budget};
-use carom::frame::Passes;
+use carom::frame::{self, Passes};
 use carom::scalar::{Exact, Filtered};
 use carom::simulation::Algorithm;
-use carom::timeline::{BroadPhase, Simultaneous};
+use carom::timeline::{self, Simultaneous};
 use clap::{Args, ValueEnum};
 
 use super::error::Error;
@@ -135,20 +135,34 @@ impl Rule {
     }
 }
 
-/// A way to find what a disc may meet.
+/// A way to find what may meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Phase {
-    /// All bodies are looked at.
+    /// Every pair is looked at.
     AllPairs,
-    /// Those in the cells of a grid about it.
+    /// What is in the same cells of a grid.
     Grid,
+    /// What is in the same parts of a binary space partition, which the timeline
+    /// does not have.
+    Bsp,
 }
 
 impl Phase {
-    pub(super) fn broad_phase(self) -> BroadPhase {
+    /// That of a frame algorithm.
+    pub(super) fn of_frames(self) -> frame::BroadPhase {
         match self {
-            Self::AllPairs => BroadPhase::AllPairs,
-            Self::Grid => BroadPhase::Grid,
+            Self::AllPairs => frame::BroadPhase::AllPairs,
+            Self::Grid => frame::BroadPhase::Grid,
+            Self::Bsp => frame::BroadPhase::Bsp,
+        }
+    }
+
+    /// That of the timeline, if it has it.
+    pub(super) fn of_timeline(self) -> Option<timeline::BroadPhase> {
+        match self {
+            Self::AllPairs => Some(timeline::BroadPhase::AllPairs),
+            Self::Grid => Some(timeline::BroadPhase::Grid),
+            Self::Bsp => None,
         }
     }
 }

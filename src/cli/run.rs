@@ -70,10 +70,9 @@ pub(super) struct Arguments {
     /// pair at a time, or all at once [default: sequential].
     #[arg(long, value_name = "RULE", value_enum)]
     simultaneous: Option<Rule>,
-    /// How the timeline finds what a disc may meet; the log is the same
-    /// [default: grid].
-    #[arg(long, value_name = "PHASE", value_enum)]
-    broad_phase: Option<Phase>,
+    /// How pairs are found that may meet; the log is the same.
+    #[arg(long, value_name = "PHASE", value_enum, default_value = "grid")]
+    broad_phase: Phase,
     /// Log the contact point, the normal and the velocities after.
     #[arg(long)]
     contact: bool,
@@ -90,6 +89,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let algorithm = arguments.algorithm.algorithm()?;
     arguments.check_outputs()?;
     arguments.check_rule(algorithm)?;
+    arguments.check_phase(algorithm)?;
     let scene = Scene::read(&arguments.scene)?;
     match arguments.arithmetic {
         ArithmeticName::Binary64 => arguments.run::<f64>(&scene, algorithm),
@@ -139,7 +139,8 @@ impl Arguments {
                 .simultaneous
                 .map(Rule::simultaneous)
                 .unwrap_or_default(),
-            broad_phase: self.broad_phase.map(Phase::broad_phase).unwrap_or_default(),
+            broad_phase: self.broad_phase.of_timeline().unwrap_or_default(),
+            frame_broad_phase: self.broad_phase.of_frames(),
         }
     }
 
@@ -156,15 +157,21 @@ impl Arguments {
         }
     }
 
-    /// Some options belong to the timeline alone.
+    /// The rule belongs to the timeline alone.
     fn check_rule(&self, algorithm: Algorithm) -> Result<(), Error> {
-        let options = [
-            ("--simultaneous", self.simultaneous.is_some()),
-            ("--broad-phase", self.broad_phase.is_some()),
-        ];
-        match options.into_iter().find(|(_, is_given)| *is_given) {
-            Some((option, _)) if algorithm != Algorithm::Timeline => Err(Error::Usage(format!(
-                "{option}: not an option of the algorithm {algorithm}"
+        match self.simultaneous {
+            Some(_) if algorithm != Algorithm::Timeline => Err(Error::Usage(format!(
+                "--simultaneous: not an option of the algorithm {algorithm}"
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// The timeline does not have every broad phase.
+    fn check_phase(&self, algorithm: Algorithm) -> Result<(), Error> {
+        match self.broad_phase.of_timeline() {
+            None if algorithm == Algorithm::Timeline => Err(Error::Usage(String::from(
+                "--broad-phase bsp: expected all-pairs or grid for the algorithm timeline",
             ))),
             _ => Ok(()),
         }

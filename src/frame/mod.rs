@@ -1,23 +1,30 @@
 //! The paper's algorithms: they handle what collides within one frame.
 //!
 //! One file holds one algorithm, in the paper's vocabulary. Those with
-//! detection *a priori* share the pass over all pairs, of which the collisions
+//! detection *a priori* share the pass over the pairs, of which the collisions
 //! that come first for their objects are kept. Nothing here is
 //! improved upon. What the algorithms miss, invent and misorder is what carom
 //! is there to show.
+//!
+//! Only the pairs that are tested are of choice: all of them, as in the paper, or
+//! the [`Candidates`] of another [`BroadPhase`], which find the same.
 //!
 //! Times within a frame run from zero to the frame's duration, where the
 //! paper's `timepassed` runs from zero to one (D2).
 
 mod bounded;
+mod candidates;
 mod clock;
 mod multiple;
 mod overlap;
 mod pass;
+mod reach;
 mod retroactive;
 mod single;
 mod synchronised;
 
+pub use crate::broad_phase::BroadPhase;
+pub use candidates::Candidates;
 pub use multiple::{Passes, multiple};
 pub use retroactive::retroactive;
 pub use single::single;

@@ -12,6 +12,7 @@
 use std::time::{Duration, Instant};
 
 use super::Frame;
+use super::candidates::Candidates;
 use super::clock::Clocks;
 use super::pass::Passing;
 use crate::impact::Impact;
@@ -47,8 +48,9 @@ pub fn multiple<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     passes: Passes,
+    candidates: &mut Candidates,
 ) -> Result<Vec<Impact<S>>, S::Doubt> {
-    run_passes(world, frame, passes, Clocks::Local)
+    run_passes(world, frame, passes, Clocks::Local, candidates)
 }
 
 /// Passes until no more are allowed, or until one finds nothing: then another
@@ -58,9 +60,10 @@ pub(super) fn run_passes<S: Kernel>(
     frame: &Frame<S>,
     passes: Passes,
     clocks: Clocks,
+    candidates: &mut Candidates,
 ) -> Result<Vec<Impact<S>>, S::Doubt> {
     let start = Instant::now();
-    let mut passing = Passing::new(world, frame, clocks);
+    let mut passing = Passing::new(world, frame, clocks, candidates);
     passing.resolve_overlaps()?;
     let mut impacts = passing.pass()?;
     let (mut done, mut found) = (1, impacts.len());

@@ -10,6 +10,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::Frame;
 use super::bounded::Bounded;
+use super::candidates::Candidates;
 use super::clock::{Clocked, Clocks, Collision};
 use crate::body::Feature;
 use crate::impact::{Impact, Place, Step};
@@ -37,12 +38,17 @@ pub(super) struct Passing<'a, S: Kernel> {
 }
 
 impl<'a, S: Kernel> Passing<'a, S> {
-    pub(super) fn new(world: &'a mut World<S>, frame: &'a Frame<S>, clocks: Clocks) -> Self {
+    pub(super) fn new(
+        world: &'a mut World<S>,
+        frame: &'a Frame<S>,
+        clocks: Clocks,
+        candidates: &'a mut Candidates,
+    ) -> Self {
         let count = world.discs.len();
         let clocked = Clocked::new(count, frame.duration.clone(), clocks);
         Self {
             bounds: S::IS_DEAR.then(|| clocked.hull()),
-            bodies: Bounded::new(world),
+            bodies: Bounded::new(world, candidates, &frame.duration),
             frame,
             clocked,
             modified: vec![false; count],
@@ -55,15 +61,12 @@ impl<'a, S: Kernel> Passing<'a, S> {
 
     /// Moves apart what overlaps at the start of the frame (P3.5).
     pub(super) fn resolve_overlaps(&mut self) -> Result<(), S::Doubt> {
-        for (disc, obstacle) in self.bodies.world.pairs() {
-            let Some(feature) = self.bodies.separate(disc, obstacle)? else {
-                continue;
-            };
-            if !self.bodies.world.approaches_here(disc, feature)? {
-                self.bodies.world.remember(disc, feature);
+        self.bodies.separate_all(|world, disc, feature| {
+            if !world.approaches_here(disc, feature)? {
+                world.remember(disc, feature);
             }
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
     /// Finds the collisions of one pass and applies those that come first.
@@ -98,13 +101,16 @@ impl<'a, S: Kernel> Passing<'a, S> {
     }
 
     /// All valid collisions, by the order of the pairs.
-    fn detect(&self) -> Result<Vec<Collision<S>>, S::Doubt> {
+    fn detect(&mut self) -> Result<Vec<Collision<S>>, S::Doubt> {
+        let is_tested = |disc: usize| self.pass == 1 || self.modified[disc];
+        self.bodies.list_pairs(is_tested);
         let mut found = Vec::new();
-        for (disc, obstacle) in self.bodies.world.pairs() {
+        self.bodies.pairs().try_for_each(|(disc, obstacle)| {
             if self.is_tested(disc, obstacle) && !self.bodies.world.is_barred(disc, obstacle) {
                 found.extend(self.test(disc, obstacle)?);
             }
-        }
+            Ok(())
+        })?;
         Ok(found)
     }
 

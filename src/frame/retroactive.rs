@@ -7,6 +7,7 @@
 
 use super::Frame;
 use super::bounded::Bounded;
+use super::candidates::Candidates;
 use crate::impact::{Impact, Step};
 use crate::kernel::Kernel;
 use crate::world::World;
@@ -20,6 +21,7 @@ pub fn retroactive<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     substeps: u32,
+    candidates: &mut Candidates,
 ) -> Result<Vec<Impact<S>>, S::Doubt> {
     let substeps = substeps.max(1);
     let step = frame.duration.clone() / S::from_integer(substeps as i32);
@@ -32,29 +34,26 @@ pub fn retroactive<S: Kernel>(
             frame: frame.number,
             pass,
         };
-        collide_overlapping(world, &time, number, &mut impacts)?;
+        let bodies = Bounded::new(world, candidates, &S::from_integer(0));
+        collide_overlapping(bodies, &time, number, &mut impacts)?;
     }
     Ok(impacts)
 }
 
 /// Moves apart whatever overlaps, and lets it collide if it approaches (D15).
 fn collide_overlapping<S: Kernel>(
-    world: &mut World<S>,
+    mut bodies: Bounded<'_, S>,
     time: &S,
     step: Step,
     impacts: &mut Vec<Impact<S>>,
 ) -> Result<(), S::Doubt> {
-    let mut bodies = Bounded::new(world);
-    for (disc, obstacle) in bodies.world.pairs() {
-        let Some(feature) = bodies.separate(disc, obstacle)? else {
-            continue;
-        };
-        if !bodies.world.approaches_here(disc, feature)? {
-            bodies.world.remember(disc, feature);
-            continue;
+    bodies.separate_all(|world, disc, feature| {
+        if !world.approaches_here(disc, feature)? {
+            world.remember(disc, feature);
+            return Ok(());
         }
-        let contact = bodies.world.collide_here(disc, feature)?;
-        let (pair, end) = bodies.world.names(disc, feature);
+        let contact = world.collide_here(disc, feature)?;
+        let (pair, end) = world.names(disc, feature);
         impacts.push(Impact {
             time: time.clone(),
             moment: None,
@@ -65,6 +64,6 @@ fn collide_overlapping<S: Kernel>(
             step: Some(step),
             contact: Some(Box::new(contact)),
         });
-    }
-    Ok(())
+        Ok(())
+    })
 }

@@ -6,6 +6,7 @@
 //! so falls behind (P3.7); all others move on to the end of theirs.
 
 use super::Frame;
+use super::candidates::Candidates;
 use super::clock::Clocks;
 use super::pass::Passing;
 use crate::impact::Impact;
@@ -20,8 +21,9 @@ use crate::world::World;
 pub fn single<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
+    candidates: &mut Candidates,
 ) -> Result<Vec<Impact<S>>, S::Doubt> {
-    let mut passing = Passing::new(world, frame, Clocks::Local);
+    let mut passing = Passing::new(world, frame, Clocks::Local, candidates);
     passing.resolve_overlaps()?;
     let impacts = passing.pass()?;
     passing.move_on();

@@ -7,6 +7,7 @@
 //! path. A collision then has one time, and comes first by that.
 
 use super::Frame;
+use super::candidates::Candidates;
 use super::clock::Clocks;
 use super::multiple::{Passes, run_passes};
 use crate::impact::Impact;
@@ -22,6 +23,7 @@ pub fn synchronised<S: Kernel>(
     world: &mut World<S>,
     frame: &Frame<S>,
     passes: Passes,
+    candidates: &mut Candidates,
 ) -> Result<Vec<Impact<S>>, S::Doubt> {
-    run_passes(world, frame, passes, Clocks::Synchronised)
+    run_passes(world, frame, passes, Clocks::Synchronised, candidates)
 }

@@ -7,6 +7,7 @@ use super::truth::{Truth, true_frame};
 use crate::arithmetic::{Arithmetic, Budget, Shortfall};
 use crate::body::Disc;
 use crate::contacts::Contacts;
+use crate::frame::BroadPhase;
 use crate::scalar::{Doubt, Exact, Scalar, Undecided};
 use crate::scene::Scene;
 use crate::simulation::{Algorithm, FrameClock, Simulation};
@@ -37,7 +38,8 @@ pub struct Judged {
 }
 
 /// Runs a candidate and judges each frame from the candidate's own state at
-/// its start, taken exactly.
+/// its start, taken exactly. The broad phase, that of a frame algorithm, changes
+/// only what it costs.
 ///
 /// # Errors
 ///
@@ -45,6 +47,7 @@ pub struct Judged {
 pub fn judge<S: Arithmetic>(
     scene: &Scene,
     algorithm: Algorithm,
+    phase: BroadPhase,
     budget: &Budget,
 ) -> Result<Judged, Unsupported> {
     check_support::<S>(scene, algorithm)?;
@@ -52,7 +55,7 @@ pub fn judge<S: Arithmetic>(
     let mut precision = S::first_precision(budget);
     loop {
         let mut trial = Trial::<S>::new(scene, budget, precision);
-        let failure = trial.run(algorithm).err();
+        let failure = trial.run(algorithm, phase).err();
         let Some(failure) = failure else {
             return Ok(trial.judged);
         };
@@ -97,10 +100,11 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         }
     }
 
-    fn run(&mut self, algorithm: Algorithm) -> Result<(), Undecided> {
+    fn run(&mut self, algorithm: Algorithm, phase: BroadPhase) -> Result<(), Undecided> {
         let begun = Instant::now();
         let simulation = Simulation::<S>::new(self.scene, algorithm, self.precision);
-        let mut simulation = simulation.map_err(Doubt::into_undecided)?;
+        let simulation = simulation.map_err(Doubt::into_undecided)?;
+        let mut simulation = simulation.with_broad_phase(phase);
         self.judged.cost += begun.elapsed();
         while self.judged.frames < self.scene.frame().count && !self.judged.accumulates {
             self.judge_frame(&mut simulation)?;

@@ -147,7 +147,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
     fn step(&mut self, scene: &Scene, algorithm: Algorithm) -> Ran<S> {
         let start = World::<S>::new(scene, self.precision).discs;
         let mut simulation = match Simulation::new(scene, algorithm, self.precision) {
-            Ok(simulation) => simulation,
+            Ok(simulation) => simulation.with_broad_phase(self.options.frame_broad_phase),
             Err(doubt) => return Ran::stuck(doubt, start),
         };
         let frames = self.clock.frames_until(&self.end);

@@ -11,6 +11,7 @@ use std::ops::ControlFlow;
 
 use crate::arithmetic::{Arithmetic, Budget, Shortfall};
 use crate::body::Disc;
+use crate::frame;
 use crate::impact::Impact;
 use crate::scalar::{Number, Scalar, Undecided};
 use crate::scene::Scene;
@@ -39,6 +40,8 @@ pub struct Options {
     pub simultaneous: Simultaneous,
     /// How the timeline finds what a disc may meet.
     pub broad_phase: BroadPhase,
+    /// How the frame algorithms find the pairs that they test.
+    pub frame_broad_phase: frame::BroadPhase,
 }
 
 impl Default for Options {
@@ -51,6 +54,7 @@ impl Default for Options {
             contacts: false,
             simultaneous: Simultaneous::default(),
             broad_phase: BroadPhase::default(),
+            frame_broad_phase: frame::BroadPhase::default(),
         }
     }
 }

@@ -72,6 +72,24 @@ impl<S: Kernel> World<S> {
         touched.find(|feature| self.is_part_of(*feature, obstacle))
     }
 
+    /// The obstacles that a disc touches by construction.
+    pub(crate) fn touched(&self, disc: usize) -> impl Iterator<Item = Obstacle> {
+        let features = self.contacts.of(disc).iter();
+        features.flat_map(|&feature| self.obstacles_of(feature))
+    }
+
+    /// The obstacles that a feature is part of.
+    fn obstacles_of(&self, feature: Feature) -> impl Iterator<Item = Obstacle> {
+        let (disc, walls) = match feature {
+            Feature::Disc(other) => (Some(Obstacle::Disc(other as usize)), 0..0),
+            Feature::Wall(wall) => (None, wall as usize..wall as usize + 1),
+            Feature::Corner(_) => (None, 0..self.walls.len()),
+        };
+        let walls = walls.map(Obstacle::Wall);
+        disc.into_iter()
+            .chain(walls.filter(move |wall| self.is_part_of(feature, *wall)))
+    }
+
     /// Whether a disc moves towards a feature that it touches, another disc
     /// being where `other` says.
     ///

@@ -235,3 +235,31 @@ fn bodies_are_those_of_the_scene() {
     let numbers: Vec<_> = log.events.iter().map(|event| event.n).collect();
     assert_eq!(numbers, [Some(0), Some(1), Some(2), Some(3)]);
 }
+
+/// To the last character, with enclosures.
+#[test]
+fn a_broad_phase_changes_nothing() {
+    let name = scene("table1-full.json");
+    for algorithm in ["retroactive", "single", "multiple", "synchronised"] {
+        let log = |phase: &str| {
+            let algorithm = ["--algorithm", algorithm, "--arithmetic", "exact"];
+            let end = ["--until", "1/4", "--contact", "--broad-phase", phase];
+            results(&[&["run", &name], &algorithm[..], &end[..]].concat())
+        };
+        let all = log("all-pairs");
+        assert!(all.lines().count() > 10, "{algorithm}");
+        assert!(log("grid") == all && log("bsp") == all, "{algorithm}");
+    }
+}
+
+#[test]
+fn the_timeline_has_no_space_partition() {
+    let name = scene("figure-7.json");
+    for phase in ["all-pairs", "grid"] {
+        let log = run(&[&name, "--broad-phase", phase]);
+        assert_eq!(meetings(&log), [(0.5, "d0 d1".into())]);
+    }
+    let (code, message) = ending(&["run", &name, "--broad-phase", "bsp"]);
+    assert_eq!(code, 2);
+    assert!(message.contains("--broad-phase bsp: expected all-pairs or grid"));
+}

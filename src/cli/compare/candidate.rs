@@ -4,7 +4,7 @@ use std::fmt;
 use std::time::Duration;
 
 use carom::arithmetic::{Arithmetic, Budget};
-use carom::frame::Passes;
+use carom::frame::{BroadPhase, Passes};
 use carom::judge::{Judged, judge};
 use carom::scalar::{Exact, Filtered};
 use carom::scene::Scene;
@@ -19,6 +19,8 @@ use crate::cli::choice::{AlgorithmName, ArithmeticName};
 pub(super) struct Candidate {
     pub(super) algorithm: Algorithm,
     pub(super) arithmetic: ArithmeticName,
+    /// How a frame algorithm finds pairs.
+    pub(super) broad_phase: BroadPhase,
 }
 
 /// Which candidates are wanted.
@@ -27,6 +29,7 @@ pub(super) struct Selection<'a> {
     pub(super) arithmetics: &'a [ArithmeticName],
     pub(super) passes: &'a [u32],
     pub(super) substeps: u32,
+    pub(super) broad_phase: BroadPhase,
 }
 
 impl Selection<'_> {
@@ -42,6 +45,7 @@ impl Selection<'_> {
             arithmetics.map(move |&arithmetic| Candidate {
                 algorithm,
                 arithmetic,
+                broad_phase: self.broad_phase,
             })
         });
         all.collect()
@@ -67,19 +71,21 @@ impl Candidate {
     }
 
     pub(super) fn judge(&self, scene: &Scene, budget: &Budget) -> Result<Judged, Unsupported> {
+        let (algorithm, phase) = (self.algorithm, self.broad_phase);
         match self.arithmetic {
-            ArithmeticName::Binary64 => judge::<f64>(scene, self.algorithm, budget),
-            ArithmeticName::Filtered => judge::<Filtered>(scene, self.algorithm, budget),
-            ArithmeticName::Exact => judge::<Exact>(scene, self.algorithm, budget),
+            ArithmeticName::Binary64 => judge::<f64>(scene, algorithm, phase, budget),
+            ArithmeticName::Filtered => judge::<Filtered>(scene, algorithm, phase, budget),
+            ArithmeticName::Exact => judge::<Exact>(scene, algorithm, phase, budget),
         }
     }
 
     /// What the whole run takes while nothing else runs: of a candidate
     /// whose numbers are binary64, which is soon done.
     pub(super) fn cost_alone(&self, scene: &Scene) -> Option<Duration> {
+        let (algorithm, phase) = (self.algorithm, self.broad_phase);
         match self.arithmetic {
-            ArithmeticName::Binary64 => Some(median_cost::<f64>(scene, self.algorithm)),
-            ArithmeticName::Filtered => Some(median_cost::<Filtered>(scene, self.algorithm)),
+            ArithmeticName::Binary64 => Some(median_cost::<f64>(scene, algorithm, phase)),
+            ArithmeticName::Filtered => Some(median_cost::<Filtered>(scene, algorithm, phase)),
             ArithmeticName::Exact => None,
         }
     }

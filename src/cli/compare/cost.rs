@@ -4,6 +4,7 @@ use std::convert::Infallible;
 use std::time::{Duration, Instant};
 
 use carom::arithmetic::Arithmetic;
+use carom::frame::BroadPhase;
 use carom::scene::Scene;
 use carom::simulation::{Algorithm, Simulation};
 
@@ -17,11 +18,12 @@ const ENOUGH_RUNS: usize = 25;
 pub(super) fn median_cost<S: Arithmetic<Precision = (), Doubt = Infallible>>(
     scene: &Scene,
     algorithm: Algorithm,
+    phase: BroadPhase,
 ) -> Duration {
     let begun = Instant::now();
     let mut costs = Vec::new();
     while costs.is_empty() || costs.len() < ENOUGH_RUNS && begun.elapsed() < ENOUGH_TIME {
-        costs.push(cost::<S>(scene, algorithm));
+        costs.push(cost::<S>(scene, algorithm, phase));
     }
     costs.sort();
     costs[costs.len() / 2]
@@ -30,9 +32,11 @@ pub(super) fn median_cost<S: Arithmetic<Precision = (), Doubt = Infallible>>(
 fn cost<S: Arithmetic<Precision = (), Doubt = Infallible>>(
     scene: &Scene,
     algorithm: Algorithm,
+    phase: BroadPhase,
 ) -> Duration {
     let begun = Instant::now();
-    let Ok(mut simulation) = Simulation::<S>::new(scene, algorithm, ());
+    let Ok(simulation) = Simulation::<S>::new(scene, algorithm, ());
+    let mut simulation = simulation.with_broad_phase(phase);
     for _ in 0..scene.frame().count {
         let Ok(_impacts) = simulation.next_frame();
     }

@@ -17,7 +17,7 @@ use carom::support::{Unsupported, check_support};
 use clap::ValueEnum;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::choice::{AlgorithmName, ArithmeticName, BudgetArguments};
+use super::choice::{AlgorithmName, ArithmeticName, BudgetArguments, Phase};
 use super::error::Error;
 use super::exit::Exit;
 use super::output::{Output, is_standard, standard};
@@ -77,6 +77,10 @@ pub(super) struct Arguments {
         default_value = "f64,filtered,exact"
     )]
     arithmetics: Vec<ArithmeticName>,
+    /// How the frame algorithms find pairs that may meet; it changes only what they
+    /// cost. The timeline has its grid.
+    #[arg(long, value_name = "PHASE", value_enum, default_value = "grid")]
+    broad_phase: Phase,
     #[command(flatten)]
     budget: BudgetArguments,
 }
@@ -168,6 +172,7 @@ impl Arguments {
             arithmetics: &self.arithmetics,
             passes: &self.passes,
             substeps: self.substeps,
+            broad_phase: self.broad_phase.of_frames(),
         }
     }
 
