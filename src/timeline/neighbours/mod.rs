@@ -5,7 +5,11 @@
 //! then. Both lead to the same impacts.
 
 mod cells;
+mod course;
 mod grid;
+mod level;
+mod shape;
+mod sizes;
 mod walls;
 
 use super::flight::Flights;
@@ -87,7 +91,10 @@ impl Motion {
     fn at<S: Kernel>(grid: &Grid, flights: &Flights<S>, disc: usize, time: f64) -> Self {
         match S::Pull::of(&flights.world.pulls, disc).acceleration() {
             None => Self::of(flights, disc),
-            Some(pull) => Self::falling(flights, disc, time, &pull).straight_in(grid, &pull),
+            Some(pull) => {
+                let motion = Self::falling(flights, disc, time, &pull);
+                motion.straight_in(grid, disc, &pull)
+            }
         }
     }
 
@@ -116,10 +123,10 @@ impl Motion {
 
     /// The same as a straight motion, for as long as it is as good as one in the
     /// cells of a grid.
-    fn straight_in(mut self, grid: &Grid, pull: &Vec2<Interval>) -> Self {
+    fn straight_in(mut self, grid: &Grid, disc: usize, pull: &Vec2<Interval>) -> Self {
         let most = pull.x.magnitude().max(pull.y.magnitude());
         if most > 0.0 {
-            let lasts = grid.straight_for(most);
+            let lasts = grid.straight_for(disc, most);
             self.until = self.since.value + lasts;
             for speed in &mut self.velocity {
                 speed.error += most * lasts;
@@ -136,7 +143,7 @@ impl Neighbours {
         if phase == BroadPhase::AllPairs || world.discs.len() <= FEW {
             return Self::Everything;
         }
-        let mut grid = Grid::new(&world.hull());
+        let mut grid = Grid::new(world);
         for disc in 0..world.discs.len() {
             if world.discs[disc].is_movable() || world.rests_for_ever(disc) {
                 let motion = Motion::at(&grid, flights, disc, 0.0);
