@@ -19,7 +19,8 @@ enum Touched {
     #[default]
     Nothing,
     One(Feature),
-    Several(Vec<Feature>),
+    /// Boxed, for it is rare.
+    Several(Box<Vec<Feature>>),
 }
 
 impl Touched {
@@ -36,7 +37,7 @@ impl Touched {
         match self {
             Self::Nothing => *self = Self::One(feature),
             Self::One(other) if *other == feature => {}
-            Self::One(other) => *self = Self::Several(vec![*other, feature]),
+            Self::One(other) => *self = Self::Several(Box::new(vec![*other, feature])),
             Self::Several(features) if features.contains(&feature) => {}
             Self::Several(features) => features.push(feature),
         }
