@@ -44,7 +44,8 @@ fn main() {
     let scene = scene.expect("a valid scene");
     let world = World::<f64>::new(&scene, ());
     let (discs, walls) = (world.discs.len(), world.walls.len());
-    drop(scene);
+    // Kept, so that its memory is not used again.
+    std::mem::forget(scene);
     let before = resident();
     let begun = Instant::now();
     let Ok(mut timeline) = Timeline::new(world.clone(), &f64::MAX);

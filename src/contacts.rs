@@ -77,7 +77,14 @@ impl Contacts {
 
     /// Notes that a disc has moved, so that it touches nothing any more but
     /// what it `keeps`.
+    #[inline]
     pub fn leave(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
+        if !self.of[disc].features().is_empty() {
+            self.leave_some(disc, keeps);
+        }
+    }
+
+    fn leave_some(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
         let mut left = std::mem::take(&mut self.of[disc]);
         for feature in left.features().iter().filter(|feature| !keeps(**feature)) {
             if let Feature::Disc(other) = *feature {

@@ -64,18 +64,25 @@ struct Place {
     leave: f64,
 }
 
+/// What is near a disc.
+pub(in crate::timeline) struct Near<'a> {
+    grid: &'a Grid,
+    disc: usize,
+    level: &'a Level,
+    bucket: u32,
+}
+
 impl Grid {
     /// An empty grid for the discs of a world, with all its walls.
     pub(super) fn new<S: Kernel>(world: &World<S>) -> Self {
         let mut spots: Vec<Spot> = world.discs.iter().map(Spot::of).collect();
         let extent = extent(&spots);
-        let places: Vec<Place> = Vec::new();
         let largest = largest_of_levels(&mut spots);
         let level_of = |radius: f64| largest.partition_point(|largest| *largest >= radius) - 1;
         let mut counts = vec![0; largest.len()];
         let mut grid = Self {
             levels: Vec::new(),
-            places,
+            places: Vec::new(),
             stays: Vec::new(),
             strays: Vec::new(),
             least: SIZE * largest.last().copied().unwrap_or_default(),
@@ -96,9 +103,16 @@ impl Grid {
         grid
     }
 
+    /// What is near a disc, unless it is a stray.
     #[inline]
-    pub(super) fn is_stray(&self, disc: usize) -> bool {
-        self.places[disc].bucket == NONE
+    pub(super) fn near(&self, disc: usize) -> Option<Near<'_>> {
+        let place = &self.places[disc];
+        (place.bucket != NONE).then(|| Near {
+            grid: self,
+            disc,
+            level: &self.levels[usize::from(place.level)],
+            bucket: place.bucket,
+        })
     }
 
     #[inline]
@@ -191,25 +205,32 @@ impl Grid {
             _ => discs.insert(bucket, disc as u32),
         }
     }
+}
 
-    /// The walls near a disc that is no stray.
+impl Near<'_> {
+    /// The walls that the disc may meet.
     #[inline]
-    pub(super) fn walls(&self, disc: usize) -> impl Iterator<Item = u32> {
-        self.level(disc).walls.near(self.places[disc].bucket)
+    pub(super) fn walls(&self) -> impl Iterator<Item = u32> {
+        self.level.walls.near(self.bucket)
     }
 
-    /// Lists the discs near a disc that is no stray, it itself among them.
+    /// Lists the discs that it may meet, it itself among them.
     #[inline]
-    pub(super) fn list_discs(&self, disc: usize, list: &mut Vec<u32>) {
-        let own = self.level(disc);
-        own.list_around(self.places[disc].bucket, list);
-        if !self.stays.is_empty() {
-            let others = self.levels.iter();
-            for level in others.filter(|level| !std::ptr::eq(*level, own)) {
-                level.search(&self.stays[disc], own.largest, list);
-            }
+    pub(super) fn list_discs(&self, list: &mut Vec<u32>) {
+        self.level.list_around(self.bucket, list);
+        if !self.grid.stays.is_empty() {
+            self.list_others(list);
         }
-        list.extend(&self.strays);
+        list.extend(&self.grid.strays);
+    }
+
+    /// Adds the discs of other levels.
+    fn list_others(&self, list: &mut Vec<u32>) {
+        let stay = &self.grid.stays[self.disc];
+        let is_other = |level: &&Level| !std::ptr::eq(*level, self.level);
+        for level in self.grid.levels.iter().filter(is_other) {
+            level.search(stay, self.level.largest, list);
+        }
     }
 }
 

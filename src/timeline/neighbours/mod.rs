@@ -17,7 +17,7 @@ use crate::kernel::{Kernel, Pull};
 use crate::scalar::Interval;
 use crate::vec2::Vec2;
 use crate::world::World;
-use grid::Grid;
+use grid::{Grid, Near};
 
 /// How the bodies are found that a disc may meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -183,27 +183,36 @@ impl Neighbours {
         }
     }
 
-    /// Visits the walls that a disc may meet, and some that it may not.
+    /// What a disc may meet, and some more.
     #[inline]
-    pub(super) fn visit_walls<S: Kernel>(
-        &self,
-        world: &World<S>,
-        disc: usize,
-        visit: impl FnMut(u32),
-    ) {
-        match self {
-            Self::Near(grid) if !grid.is_stray(disc) => grid.walls(disc).for_each(visit),
-            _ => (0..world.walls.len() as u32).for_each(visit),
+    pub(super) fn of(&self, disc: usize) -> Surroundings<'_> {
+        Surroundings(match self {
+            Self::Everything => None,
+            Self::Near(grid) => grid.near(disc),
+        })
+    }
+}
+
+/// What is near a disc, or everything.
+pub(super) struct Surroundings<'a>(Option<Near<'a>>);
+
+impl Surroundings<'_> {
+    /// Visits the walls.
+    #[inline]
+    pub(super) fn visit_walls<S: Kernel>(&self, world: &World<S>, visit: impl FnMut(u32)) {
+        match &self.0 {
+            Some(near) => near.walls().for_each(visit),
+            None => (0..world.walls.len() as u32).for_each(visit),
         }
     }
 
-    /// Lists the discs that a disc may meet, and some that it may not.
+    /// Lists the discs.
     #[inline]
-    pub(super) fn list_discs<S: Kernel>(&self, world: &World<S>, disc: usize, list: &mut Vec<u32>) {
+    pub(super) fn list_discs<S: Kernel>(&self, world: &World<S>, list: &mut Vec<u32>) {
         list.clear();
-        match self {
-            Self::Near(grid) if !grid.is_stray(disc) => grid.list_discs(disc, list),
-            _ => list.extend(0..world.discs.len() as u32),
+        match &self.0 {
+            Some(near) => near.list_discs(list),
+            None => list.extend(0..world.discs.len() as u32),
         }
     }
 }
