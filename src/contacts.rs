@@ -19,7 +19,7 @@ enum Touched {
     #[default]
     Nothing,
     One(Feature),
-    /// Boxed, for it is rare.
+    #[expect(clippy::box_collection, reason = "it is rare, and so takes less room")]
     Several(Box<Vec<Feature>>),
 }
 
