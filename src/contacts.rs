@@ -19,7 +19,8 @@ enum Touched {
     #[default]
     Nothing,
     One(Feature),
-    Several(Vec<Feature>),
+    #[expect(clippy::box_collection, reason = "it is rare, and so takes less room")]
+    Several(Box<Vec<Feature>>),
 }
 
 impl Touched {
@@ -36,7 +37,7 @@ impl Touched {
         match self {
             Self::Nothing => *self = Self::One(feature),
             Self::One(other) if *other == feature => {}
-            Self::One(other) => *self = Self::Several(vec![*other, feature]),
+            Self::One(other) => *self = Self::Several(Box::new(vec![*other, feature])),
             Self::Several(features) if features.contains(&feature) => {}
             Self::Several(features) => features.push(feature),
         }
@@ -76,7 +77,14 @@ impl Contacts {
 
     /// Notes that a disc has moved, so that it touches nothing any more but
     /// what it `keeps`.
+    #[inline]
     pub fn leave(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
+        if !self.of[disc].features().is_empty() {
+            self.leave_some(disc, keeps);
+        }
+    }
+
+    fn leave_some(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
         let mut left = std::mem::take(&mut self.of[disc]);
         for feature in left.features().iter().filter(|feature| !keeps(**feature)) {
             if let Feature::Disc(other) = *feature {

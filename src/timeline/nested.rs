@@ -16,11 +16,11 @@ pub(super) struct Nested {
 impl Nested {
     /// The pairs that start so, each with the lower disc first.
     pub(super) fn find<S: Kernel>(world: &World<S>) -> Self {
-        let mut pairs = concentric(world);
-        for disc in 0..world.discs.len() {
-            let walls = (0..world.walls.len()).filter(|&wall| is_on_wall(world, disc, wall));
-            pairs.extend(walls.map(|wall| (disc, Obstacle::Wall(wall))));
-        }
+        let mut pairs = world.close_pairs();
+        pairs.retain(|&(disc, obstacle)| match obstacle {
+            Obstacle::Disc(other) => is_concentric(world, disc, other),
+            Obstacle::Wall(wall) => is_on_wall(world, disc, wall),
+        });
         Self { pairs }
     }
 
@@ -71,27 +71,6 @@ fn is_of<S: Kernel>(
         }
         _ => false,
     }
-}
-
-/// Equal positions have equal binary64 neighbours: only those are compared.
-fn concentric<S: Kernel>(world: &World<S>) -> Vec<(usize, Obstacle)> {
-    let near = |disc: &usize| world.discs[*disc].position.map(S::to_f64);
-    let mut discs: Vec<usize> = (0..world.discs.len()).collect();
-    discs.sort_by(|one, other| {
-        let (one, other) = (near(one), near(other));
-        one.x.total_cmp(&other.x).then(one.y.total_cmp(&other.y))
-    });
-    let groups = discs.chunk_by(|one, other| near(one) == near(other));
-    let mut pairs = Vec::new();
-    for group in groups {
-        for (place, &one) in group.iter().enumerate() {
-            let equal = group[place + 1..]
-                .iter()
-                .filter(|&&other| is_concentric(world, one, other));
-            pairs.extend(equal.map(|&other| (one.min(other), Obstacle::Disc(one.max(other)))));
-        }
-    }
-    pairs
 }
 
 fn is_concentric<S: Kernel>(world: &World<S>, one: usize, other: usize) -> bool {

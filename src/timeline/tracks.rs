@@ -18,7 +18,6 @@ pub(super) struct Tracks {
 
 /// How a disc moves.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
 pub(super) struct Track {
     position: [f64; 2],
     velocity: [f64; 2],

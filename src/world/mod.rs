@@ -1,6 +1,7 @@
 //! A scene's bodies in one arithmetic, and how two of them meet.
 
 mod build;
+mod close;
 mod touch;
 
 use std::cmp::Ordering::{self, Equal};

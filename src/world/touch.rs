@@ -16,14 +16,9 @@ impl<S: Kernel> World<S> {
     ///
     /// An enclosure does not decide it.
     pub fn count_overlaps(&self) -> Result<u64, S::Doubt> {
-        let bounds = S::IS_DEAR.then(|| self.hull());
-        let surely_apart = |disc, obstacle| {
-            let bounds = bounds.as_ref();
-            bounds.is_some_and(|world| matches!(world.overlap(disc, obstacle), Ok(None)))
-        };
         let mut count = 0;
-        for (disc, obstacle) in self.pairs() {
-            if !self.is_barred(disc, obstacle) && !surely_apart(disc, obstacle) {
+        for (disc, obstacle) in self.close_pairs() {
+            if !self.is_barred(disc, obstacle) {
                 let overlap = self.overlap(disc, obstacle);
                 let overlap =
                     overlap.map_err(|doubt| doubt.asking(|| obstacle.ask(disc, "overlap")))?;

@@ -148,9 +148,9 @@ impl Forecaster {
             wanted,
             skips,
         };
-        let (world, neighbours) = (&flights.world, &self.neighbours);
-        neighbours.visit_walls(world, disc, |wall| sieve.add(Obstacle::Wall(wall as usize)));
-        neighbours.list_discs(world, disc, &mut self.near);
+        let (world, near) = (&flights.world, self.neighbours.of(disc));
+        near.visit_walls(world, |wall| sieve.add(Obstacle::Wall(wall as usize)));
+        near.list_discs(world, &mut self.near);
         let track = self.tracks.of(disc);
         for &other in &self.near {
             let other = other as usize;

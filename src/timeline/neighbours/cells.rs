@@ -3,7 +3,10 @@
 use std::collections::BTreeMap;
 
 /// So many discs alike fit into a cell.
-pub(super) const ROOM: usize = 4;
+const ROOM: usize = 4;
+
+/// So many cells have their bits in one word.
+const WORD: usize = u64::BITS as usize;
 
 /// No disc.
 const NONE: u32 = u32::MAX;
@@ -12,6 +15,8 @@ const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
     few: Vec<[u32; ROOM]>,
+    /// A bit for each cell that is not empty.
+    filled: Vec<u64>,
     others: BTreeMap<u32, Vec<u32>>,
 }
 
@@ -20,6 +25,7 @@ impl Cells {
     pub(super) fn new(count: usize) -> Self {
         Self {
             few: vec![[NONE; ROOM]; count],
+            filled: vec![0; count.div_ceil(WORD)],
             others: BTreeMap::new(),
         }
     }
@@ -32,6 +38,7 @@ impl Cells {
             Some(place) => *place = disc,
             None => self.others.entry(cell).or_default().push(disc),
         }
+        self.filled[cell as usize / WORD] |= 1 << (cell as usize % WORD);
     }
 
     /// Takes a disc out of its cell; the last of its array, or one that is not in
@@ -54,6 +61,9 @@ impl Cells {
         } else {
             few[place] = other;
         }
+        if few[0] == NONE {
+            self.filled[cell as usize / WORD] &= !(1 << (cell as usize % WORD));
+        }
     }
 
     /// Takes a disc out of those that are not in a cell's array, or any of them if
@@ -71,26 +81,55 @@ impl Cells {
         taken
     }
 
-    /// Adds the discs in a cell's array to a list of so many, which has room for
-    /// all of an array; and tells how many there are then. Without branches, for
-    /// how many there are is as good as random.
+    /// Lists the discs in some cells. Without branches on how many there are, for
+    /// that is as good as random.
     #[inline]
-    pub(super) fn list(&self, cell: u32, list: &mut [u32], count: usize) -> usize {
-        let few = &self.few[cell as usize];
-        list[count..count + ROOM].copy_from_slice(few);
-        let more: u32 = few.iter().map(|disc| u32::from(*disc != NONE)).sum();
-        count + more as usize
+    pub(super) fn list<const N: usize>(&self, cells: [u32; N], list: &mut Vec<u32>) {
+        list.resize(N * ROOM, NONE);
+        let (found, mut count) = (list.as_mut_slice(), 0);
+        for cell in cells {
+            let few = &self.few[cell as usize];
+            found[count..count + ROOM].copy_from_slice(few);
+            let more: u32 = few.iter().map(|disc| u32::from(*disc != NONE)).sum();
+            count += more as usize;
+        }
+        list.truncate(count);
+        if !self.others.is_empty() {
+            let others = |cell| self.others.get(&cell).into_iter().flatten();
+            list.extend(cells.into_iter().flat_map(others));
+        }
     }
 
-    /// Whether any cell has more discs than that.
-    #[inline]
-    pub(super) fn have_others(&self) -> bool {
-        !self.others.is_empty()
+    /// Adds to a list the discs in all cells from one to another.
+    pub(super) fn list_between(&self, first: u32, last: u32, list: &mut Vec<u32>) {
+        let [start, end] = [first, last].map(|cell| cell as usize / WORD);
+        for word in start..=end {
+            let mut filled = self.filled[word];
+            if word == start {
+                filled &= u64::MAX << (first as usize % WORD);
+            }
+            if word == end {
+                filled &= u64::MAX >> (WORD - 1 - last as usize % WORD);
+            }
+            while filled != 0 {
+                self.list_one((word * WORD) as u32 + filled.trailing_zeros(), list);
+                filled &= filled - 1;
+            }
+        }
     }
 
-    /// The discs in a cell that are not in its array.
-    pub(super) fn others(&self, cell: u32) -> &[u32] {
-        self.others.get(&cell).map_or(&[], Vec::as_slice)
+    /// Adds all discs to a list.
+    pub(super) fn list_all(&self, list: &mut Vec<u32>) {
+        self.list_between(0, self.few.len() as u32 - 1, list);
+    }
+
+    /// Adds the discs in a cell to a list.
+    fn list_one(&self, cell: u32, list: &mut Vec<u32>) {
+        let few = self.few[cell as usize].iter();
+        list.extend(few.take_while(|disc| **disc != NONE));
+        if let Some(others) = self.others.get(&cell) {
+            list.extend(others);
+        }
     }
 }
 
@@ -114,15 +153,18 @@ mod tests {
                 }
                 cells.insert(cell, disc);
                 for cell in 0..3 {
-                    let mut found = vec![NONE; ROOM];
-                    let count = cells.list(cell, &mut found, 0);
-                    found.truncate(count);
-                    found.extend(cells.others(cell));
+                    let [mut found, mut alone] = [vec![], vec![]];
+                    cells.list([cell], &mut found);
+                    cells.list_between(cell, cell, &mut alone);
+                    prop_assert_eq!(&found, &alone);
                     let expected: BTreeSet<u32> =
                         (0..20).filter(|disc| place[*disc as usize] == Some(cell)).collect();
                     prop_assert_eq!(found.len(), expected.len());
                     prop_assert_eq!(BTreeSet::from_iter(found), expected);
                 }
+                let mut all = vec![];
+                cells.list_all(&mut all);
+                prop_assert_eq!(all.len(), place.iter().flatten().count());
             }
         }
     }

@@ -1,29 +1,36 @@
-//! A grid of square cells, each disc in the one where its centre is.
+//! Grids of square cells, each disc in a cell where its centre is.
 //!
-//! Until it *leaves*, the centre of a disc surely keeps within its cell, give or
-//! take a margin m. Two discs of radii up to R that touch are no further than
-//! 2 R from each other, so for cells of size h ≥ 2 R + 2 m their cells are
-//! neighbours, or one. All that is computed here is so in binary64, with an
-//! error that is checked to be less than a quarter of the margin.
+//! Discs of about one size are on one *level*, a grid of its own. Until it *leaves*,
+//! the centre of a disc surely keeps within its cell, give or take a margin m. Two
+//! discs of radii up to R that touch are no further than 2 R from each other, so
+//! for cells of size h ≥ 2 R + 2 m their cells are neighbours, or one. All that is
+//! computed here is so in binary64, with an error that is checked to be less than
+//! a quarter of the margin.
 //!
-//! The cells of a plane without bounds share a finite number of *buckets*. A disc that is larger than R, or of
+//! Discs of different levels find each other by the *stay* of the one that looks: a
+//! box that its centre keeps within until it leaves. Those that it may touch are in
+//! the cells no further than R + R' + m' from that, with the other level's numbers
+//! (see [`Level::search`]). The two need not find each other at once: one that is
+//! not found cannot be touched before one of the two leaves, and looks again. So that
+//! a large disc need not look far, its stay is at first no longer than a smallest
+//! cell; each time that it leaves in vain, the next one is twice as long.
+//!
+//! The cells of a plane without bounds share a finite number of *buckets*. A disc of
 //! which the numbers are too uncertain, or that keeps leaving cells without
 //! meeting anything, is a *stray*: a neighbour of all others, as all are of it.
 
 use super::Motion;
-use super::cells::{Cells, ROOM};
-use super::walls::Walls;
-use crate::scalar::Interval;
+use super::course::Course;
+use super::level::{Level, Stay};
+use super::sizes::{Spot, largest_of_levels};
+use crate::kernel::Kernel;
 use crate::world::World;
 
 /// The part of a cell that is margin.
-const MARGIN: f64 = 1.0 / 16.0;
+pub(super) const MARGIN: f64 = 1.0 / 16.0;
 
-/// The size of a cell, in radii of the largest disc that is no stray.
-const SIZE: f64 = 2.0 * (1.0 + 1e-9) / (1.0 - 2.0 * MARGIN);
-
-/// Cells further out have no names.
-const FARTHEST: f64 = (1_u64 << 31) as f64;
+/// The size of a cell, in radii of the largest disc of its level.
+pub(super) const SIZE: f64 = 2.0 * (1.0 + 1e-9) / (1.0 - 2.0 * MARGIN);
 
 /// Where strays are.
 const NONE: u32 = u32::MAX;
@@ -34,26 +41,16 @@ const NOWHERE: u32 = u32::MAX - 1;
 /// Where the discs are.
 #[derive(Clone, Debug)]
 pub(in crate::timeline) struct Grid {
-    shape: Shape,
-    buckets: Cells,
+    /// From large cells to small ones.
+    levels: Vec<Level>,
     places: Vec<Place>,
+    /// Of use only where there are several levels.
+    stays: Vec<Stay>,
     strays: Vec<u32>,
-    walls: Walls,
-    /// The radius above which a disc is a stray.
-    largest: f64,
-    radii: Vec<f64>,
+    /// The size of the smallest cells.
+    least: f64,
     /// How often a disc may leave cells in vain.
-    patience: u32,
-}
-
-/// The size of the cells, and how they share buckets: a power of two of them in
-/// a row, and as many rows.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
-    pub(super) size: f64,
-    inverse: f64,
-    columns: u32,
-    rows: u32,
+    patience: u16,
 }
 
 /// A disc's place.
@@ -61,111 +58,61 @@ pub(super) struct Shape {
 struct Place {
     /// The bucket, unless it is a stray.
     bucket: u32,
+    level: u16,
     /// How often it has left a cell since it changed.
-    moves: u32,
+    moves: u16,
     leave: f64,
 }
 
-impl Shape {
-    /// As many buckets as discs, or a few times that, in the shape of an area.
-    fn of(size: f64, [width, height]: [f64; 2], discs: usize) -> Self {
-        let most = (2 * discs).next_power_of_two().max(16) as f64;
-        let cells = |length: f64| (length / size).clamp(4.0, most / 4.0);
-        let [mut columns, mut rows] =
-            [width, height].map(|length| (cells(length) as u32).next_power_of_two());
-        while f64::from(columns) * f64::from(rows) > most && columns.max(rows) > 4 {
-            if columns > rows {
-                columns /= 2;
-            } else {
-                rows /= 2;
-            }
-        }
-        Self {
-            size,
-            inverse: 1.0 / size,
-            columns,
-            rows,
-        }
-    }
-
-    pub(super) fn buckets(&self) -> usize {
-        self.columns as usize * self.rows as usize
-    }
-
-    /// The cell of a coordinate.
-    #[inline]
-    pub(super) fn cell(&self, coordinate: f64) -> Option<i64> {
-        let place = coordinate * self.inverse;
-        // Rounded down: quicker than the function of the C library.
-        let cell = place as i64 - i64::from(place < place as i64 as f64);
-        (place.abs() < FARTHEST).then_some(cell)
-    }
-
-    #[inline]
-    pub(super) fn bucket(&self, [column, row]: [i64; 2]) -> u32 {
-        let column = column as u32 & (self.columns - 1);
-        let row = row as u32 & (self.rows - 1);
-        row * self.columns + column
-    }
-
-    /// The buckets of a cell and of the eight cells about it.
-    #[inline]
-    fn around(&self, bucket: u32) -> [u32; 9] {
-        let Self { columns, rows, .. } = *self;
-        let (column, row) = (bucket & (columns - 1), bucket >> columns.trailing_zeros());
-        let [left, middle, right] = beside(column, columns);
-        let [below, here, above] = beside(row, rows).map(|row| row * columns);
-        [
-            below + left,
-            below + middle,
-            below + right,
-            here + left,
-            here + middle,
-            here + right,
-            above + left,
-            above + middle,
-            above + right,
-        ]
-    }
-}
-
-/// A place among so many, a power of two, and those next to it, all about.
-#[inline]
-fn beside(place: u32, count: u32) -> [u32; 3] {
-    [
-        place.wrapping_sub(1) & (count - 1),
-        place,
-        (place + 1) & (count - 1),
-    ]
+/// What is near a disc.
+pub(in crate::timeline) struct Near<'a> {
+    grid: &'a Grid,
+    disc: usize,
+    level: &'a Level,
+    bucket: u32,
 }
 
 impl Grid {
     /// An empty grid for the discs of a world, with all its walls.
-    pub(super) fn new(world: &World<Interval>) -> Self {
-        let radii: Vec<f64> = world.discs.iter().map(|disc| disc.radius.hi()).collect();
-        let largest = largest_of_most(&radii);
-        let size = SIZE * largest;
-        let shape = Shape::of(size, extent(world), radii.len());
-        let nowhere = Place {
-            bucket: NOWHERE,
-            moves: 0,
-            leave: f64::INFINITY,
-        };
-        Self {
-            buckets: Cells::new(shape.buckets()),
-            places: vec![nowhere; radii.len()],
+    pub(super) fn new<S: Kernel>(world: &World<S>) -> Self {
+        let mut spots: Vec<Spot> = world.discs.iter().map(Spot::of).collect();
+        let extent = extent(&spots);
+        let largest = largest_of_levels(&mut spots);
+        let level_of = |radius: f64| largest.partition_point(|largest| *largest >= radius) - 1;
+        let mut counts = vec![0; largest.len()];
+        let mut grid = Self {
+            levels: Vec::new(),
+            places: Vec::new(),
+            stays: Vec::new(),
             strays: Vec::new(),
-            walls: Walls::new(world, &shape, largest + MARGIN * size),
-            largest,
-            patience: (radii.len() as u32 / 8).max(64),
-            radii,
-            shape,
+            least: SIZE * largest.last().copied().unwrap_or_default(),
+            patience: (spots.len() / 8).clamp(64, u16::MAX.into()) as u16,
+        };
+        for disc in &world.discs {
+            let level = level_of(disc.radius.hull().hi());
+            counts[level] += 1;
+            grid.places.push(Place::nowhere(level));
         }
+        if largest.len() > 1 {
+            grid.stays = vec![Stay::default(); spots.len()];
+        }
+        let levels = largest.iter().zip(counts);
+        grid.levels = levels
+            .map(|(&largest, count)| Level::new(world, largest, extent, count))
+            .collect();
+        grid
     }
 
+    /// What is near a disc, unless it is a stray.
     #[inline]
-    pub(super) fn is_stray(&self, disc: usize) -> bool {
-        self.places[disc].bucket == NONE
+    pub(super) fn near(&self, disc: usize) -> Option<Near<'_>> {
+        let place = &self.places[disc];
+        (place.bucket != NONE).then(|| Near {
+            grid: self,
+            disc,
+            level: &self.levels[usize::from(place.level)],
+            bucket: place.bucket,
+        })
     }
 
     #[inline]
@@ -188,10 +135,10 @@ impl Grid {
     /// Puts a disc into the cell that it gets into at a time.
     pub(super) fn renew(&mut self, disc: usize, motion: &Motion, time: f64) {
         let moves = self.places[disc].moves + 1;
-        self.places[disc].moves = moves;
         if moves > self.patience {
             self.stray(disc);
         } else {
+            self.places[disc].moves = moves;
             self.place(disc, motion, time);
         }
     }
@@ -206,52 +153,36 @@ impl Grid {
 
     /// The bucket of a disc at a time, and when it leaves the cell.
     #[inline]
-    fn find(&self, disc: usize, motion: &Motion, time: f64) -> Option<(u32, f64)> {
-        if self.radii[disc] > self.largest {
-            return None;
+    fn find(&mut self, disc: usize, motion: &Motion, time: f64) -> Option<(u32, f64)> {
+        let shape = &self.level(disc).shape;
+        let x = Course::follow(motion, 0, time, shape)?;
+        let y = Course::follow(motion, 1, time, shape)?;
+        let mut leave = x.leave.min(y.leave).min(motion.until);
+        let bucket = shape.bucket([x.cell, y.cell]);
+        let limit = MARGIN * shape.size / 4.0;
+        if !self.stays.is_empty() {
+            leave = leave.min(time + self.way(disc) / x.speed.abs().max(y.speed.abs()));
+            let ends = [&x, &y].map(|course| course.between(time, leave));
+            self.stays[disc] = Stay::about(ends, 2.0 * limit);
         }
-        let x = self.follow(motion, 0, time)?;
-        let y = self.follow(motion, 1, time)?;
-        let leave = x.leave.min(y.leave).min(motion.until);
-        let limit = MARGIN * self.shape.size / 4.0;
         let is_certain = x.error_at(leave) < limit && y.error_at(leave) < limit;
-        is_certain.then(|| (self.shape.bucket([x.cell, y.cell]), leave))
+        is_certain.then_some((bucket, leave))
     }
 
-    /// For how long a motion is as good as straight, if no coordinate of the
-    /// acceleration is larger than this.
-    pub(super) fn straight_for(&self, pull: f64) -> f64 {
-        (MARGIN * self.shape.size / 8.0 / pull).sqrt()
+    /// How far a disc may move in a coordinate before it looks again.
+    fn way(&self, disc: usize) -> f64 {
+        self.least * f64::from(self.places[disc].moves.min(1000)).exp2()
     }
 
-    /// One coordinate of a motion from a time on.
+    /// For how long the motion of a disc is as good as straight, if no coordinate of
+    /// the acceleration is larger than this.
+    pub(super) fn straight_for(&self, disc: usize, pull: f64) -> f64 {
+        (MARGIN * self.level(disc).shape.size / 8.0 / pull).sqrt()
+    }
+
     #[inline]
-    fn follow(&self, motion: &Motion, axis: usize, time: f64) -> Option<Course> {
-        let [position, velocity] = [motion.position[axis], motion.velocity[axis]];
-        let (speed, since) = (velocity.value, motion.since.value);
-        let start = position.value + speed * (time - since);
-        let cell = self.shape.cell(start)?;
-        let size = self.shape.size;
-        let (low, high) = (cell as f64 * size, (cell + 1) as f64 * size);
-        let margin = MARGIN * size / 2.0;
-        let way = if speed > 0.0 {
-            high + margin - start
-        } else {
-            start - (low - margin)
-        };
-        Some(Course {
-            cell,
-            leave: if speed == 0.0 {
-                f64::INFINITY
-            } else {
-                time + way / speed.abs()
-            },
-            known: position.error + speed.abs() * motion.since.error,
-            size: position.value.abs() + position.error,
-            speed: speed.abs(),
-            uncertain: velocity.error,
-            since,
-        })
+    fn level(&self, disc: usize) -> &Level {
+        &self.levels[usize::from(self.places[disc].level)]
     }
 
     /// Moves a disc from its list to another.
@@ -263,91 +194,64 @@ impl Grid {
         if before == bucket {
             return;
         }
+        let discs = &mut self.levels[usize::from(place.level)].discs;
         match before {
             NOWHERE => {}
             NONE => self.strays.retain(|&stray| stray as usize != disc),
-            _ => self.buckets.remove(before, disc as u32),
+            _ => discs.remove(before, disc as u32),
         }
         match bucket {
             NONE => self.strays.push(disc as u32),
-            _ => self.buckets.insert(bucket, disc as u32),
+            _ => discs.insert(bucket, disc as u32),
         }
-    }
-
-    /// The walls near a disc that is no stray.
-    #[inline]
-    pub(super) fn walls(&self, disc: usize) -> impl Iterator<Item = u32> {
-        self.walls.near(self.places[disc].bucket)
-    }
-
-    /// Lists the discs near a disc that is no stray, it itself among them.
-    #[inline]
-    pub(super) fn list_discs(&self, disc: usize, list: &mut Vec<u32>) {
-        let around = self.shape.around(self.places[disc].bucket);
-        list.resize(around.len() * ROOM, NONE);
-        let mut count = 0;
-        for bucket in around {
-            count = self.buckets.list(bucket, list, count);
-        }
-        list.truncate(count);
-        if self.buckets.have_others() {
-            let others = |bucket| self.buckets.others(bucket).iter().copied();
-            list.extend(around.into_iter().flat_map(others));
-        }
-        list.extend(&self.strays);
     }
 }
 
-/// One coordinate of a disc's motion.
-struct Course {
-    cell: i64,
-    leave: f64,
-    /// How far off it may be at the start.
-    known: f64,
-    size: f64,
-    speed: f64,
-    /// How far off the speed may be.
-    uncertain: f64,
-    since: f64,
-}
-
-impl Course {
-    /// How far off it may be at a time, with all that rounds until then.
+impl Near<'_> {
+    /// The walls that the disc may meet.
     #[inline]
-    fn error_at(&self, time: f64) -> f64 {
-        if time == f64::INFINITY {
-            // It rests, if it is certain to.
-            let rests = self.speed == 0.0 && self.uncertain == 0.0;
-            return if rests { self.known } else { f64::INFINITY };
+    pub(super) fn walls(&self) -> impl Iterator<Item = u32> {
+        self.level.walls.near(self.bucket)
+    }
+
+    /// Lists the discs that it may meet, it itself among them.
+    #[inline]
+    pub(super) fn list_discs(&self, list: &mut Vec<u32>) {
+        self.level.list_around(self.bucket, list);
+        if !self.grid.stays.is_empty() {
+            self.list_others(list);
         }
-        let flown = (time - self.since).abs();
-        let way = (self.speed + self.uncertain) * flown;
-        let rounds = 8.0 * f64::EPSILON * (self.size + way + self.speed * time.abs());
-        self.known + self.uncertain * flown + rounds
+        list.extend(&self.grid.strays);
+    }
+
+    /// Adds the discs of other levels.
+    fn list_others(&self, list: &mut Vec<u32>) {
+        let stay = &self.grid.stays[self.disc];
+        let is_other = |level: &&Level| !std::ptr::eq(*level, self.level);
+        for level in self.grid.levels.iter().filter(is_other) {
+            level.search(stay, self.level.largest, list);
+        }
     }
 }
 
-/// The radius that only a few discs exceed, if that is much less than the
-/// largest.
-fn largest_of_most(radii: &[f64]) -> f64 {
-    let mut sorted = radii.to_vec();
-    sorted.sort_by(|one, other| other.total_cmp(one));
-    let few = (radii.len() as f64).sqrt() as usize / 2;
-    if sorted[few] < sorted[0] / 2.0 {
-        sorted[few]
-    } else {
-        sorted[0]
+impl Place {
+    fn nowhere(level: usize) -> Self {
+        Self {
+            bucket: NOWHERE,
+            level: level as u16,
+            moves: 0,
+            leave: f64::INFINITY,
+        }
     }
 }
 
 /// The width and the height of the area in which the discs are.
-fn extent(world: &World<Interval>) -> [f64; 2] {
-    let length = |coordinate: fn(&crate::vec2::Vec2<Interval>) -> &Interval| {
-        let ends = world.discs.iter().map(|disc| coordinate(&disc.position));
-        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), end| {
-            (low.min(end.lo()), high.max(end.hi()))
+fn extent(spots: &[Spot]) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let places = spots.iter().map(|spot| spot.place[axis]);
+        let ends = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
+            (low.min(place), high.max(place))
         });
-        high - low
-    };
-    [length(|point| &point.x), length(|point| &point.y)]
+        ends.1 - ends.0
+    })
 }

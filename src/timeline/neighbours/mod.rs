@@ -5,7 +5,11 @@
 //! then. Both lead to the same impacts.
 
 mod cells;
+mod course;
 mod grid;
+mod level;
+mod shape;
+mod sizes;
 mod walls;
 
 use super::flight::Flights;
@@ -13,7 +17,7 @@ use crate::kernel::{Kernel, Pull};
 use crate::scalar::Interval;
 use crate::vec2::Vec2;
 use crate::world::World;
-use grid::Grid;
+use grid::{Grid, Near};
 
 /// How the bodies are found that a disc may meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -88,7 +92,10 @@ impl Motion {
         let pull = S::Pull::of(&flights.world.pulls, disc);
         match pull.acceleration(&flights.world.discs[disc]) {
             None => Self::of(flights, disc),
-            Some(pull) => Self::falling(flights, disc, time, &pull).straight_in(grid, &pull),
+            Some(pull) => {
+                let motion = Self::falling(flights, disc, time, &pull);
+                motion.straight_in(grid, disc, &pull)
+            }
         }
     }
 
@@ -117,10 +124,10 @@ impl Motion {
 
     /// The same as a straight motion, for as long as it is as good as one in the
     /// cells of a grid.
-    fn straight_in(mut self, grid: &Grid, pull: &Vec2<Interval>) -> Self {
+    fn straight_in(mut self, grid: &Grid, disc: usize, pull: &Vec2<Interval>) -> Self {
         let most = pull.x.magnitude().max(pull.y.magnitude());
         if most > 0.0 {
-            let lasts = grid.straight_for(most);
+            let lasts = grid.straight_for(disc, most);
             self.until = self.since.value + lasts;
             for speed in &mut self.velocity {
                 speed.error += most * lasts;
@@ -137,7 +144,7 @@ impl Neighbours {
         if phase == BroadPhase::AllPairs || world.discs.len() <= FEW {
             return Self::Everything;
         }
-        let mut grid = Grid::new(&world.hull());
+        let mut grid = Grid::new(world);
         for disc in 0..world.discs.len() {
             if world.discs[disc].is_movable() || world.rests_for_ever(disc) {
                 let motion = Motion::at(&grid, flights, disc, 0.0);
@@ -177,27 +184,36 @@ impl Neighbours {
         }
     }
 
-    /// Visits the walls that a disc may meet, and some that it may not.
+    /// What a disc may meet, and some more.
     #[inline]
-    pub(super) fn visit_walls<S: Kernel>(
-        &self,
-        world: &World<S>,
-        disc: usize,
-        visit: impl FnMut(u32),
-    ) {
-        match self {
-            Self::Near(grid) if !grid.is_stray(disc) => grid.walls(disc).for_each(visit),
-            _ => (0..world.walls.len() as u32).for_each(visit),
+    pub(super) fn of(&self, disc: usize) -> Surroundings<'_> {
+        Surroundings(match self {
+            Self::Everything => None,
+            Self::Near(grid) => grid.near(disc),
+        })
+    }
+}
+
+/// What is near a disc, or everything.
+pub(super) struct Surroundings<'a>(Option<Near<'a>>);
+
+impl Surroundings<'_> {
+    /// Visits the walls.
+    #[inline]
+    pub(super) fn visit_walls<S: Kernel>(&self, world: &World<S>, visit: impl FnMut(u32)) {
+        match &self.0 {
+            Some(near) => near.walls().for_each(visit),
+            None => (0..world.walls.len() as u32).for_each(visit),
         }
     }
 
-    /// Lists the discs that a disc may meet, and some that it may not.
+    /// Lists the discs.
     #[inline]
-    pub(super) fn list_discs<S: Kernel>(&self, world: &World<S>, disc: usize, list: &mut Vec<u32>) {
+    pub(super) fn list_discs<S: Kernel>(&self, world: &World<S>, list: &mut Vec<u32>) {
         list.clear();
-        match self {
-            Self::Near(grid) if !grid.is_stray(disc) => grid.list_discs(disc, list),
-            _ => list.extend(0..world.discs.len() as u32),
+        match &self.0 {
+            Some(near) => near.list_discs(list),
+            None => list.extend(0..world.discs.len() as u32),
         }
     }
 }

@@ -1,52 +1,91 @@
 //! Which walls a disc may meet from its cell.
 
-use super::grid::Shape;
+use super::shape::Shape;
 use crate::detect::Segment;
+use crate::kernel::Kernel;
 use crate::scalar::Interval;
+use crate::vec2::Vec2;
 use crate::world::World;
+
+/// So many buckets have their bits in one word.
+const WORD: usize = u32::BITS as usize;
 
 /// The walls near each bucket.
 #[derive(Clone, Debug)]
 pub(super) struct Walls {
-    /// Where the walls of each bucket start.
+    /// Which buckets have walls near them.
+    beside: Vec<Word>,
+    /// Where the walls of each of these buckets start, in their order, and where
+    /// the last ones end.
     starts: Vec<u32>,
     near: Vec<u32>,
     /// Walls that are near to all.
     everywhere: Vec<u32>,
 }
 
+/// A bit for each of some buckets, and how many bits there are in all words before.
+#[derive(Clone, Copy, Debug, Default)]
+struct Word {
+    bits: u32,
+    before: u32,
+}
+
 impl Walls {
     /// The walls that come within a reach of each cell.
-    pub(super) fn new(world: &World<Interval>, shape: &Shape, reach: f64) -> Self {
+    pub(super) fn new<S: Kernel>(world: &World<S>, shape: &Shape, reach: f64) -> Self {
         let (mut near, mut everywhere) = (Vec::new(), Vec::new());
         for (wall, index) in world.walls.iter().zip(0..) {
-            match Band::about(&wall.segment, reach).buckets(shape) {
+            match Band::about(&wall.segment.map(S::hull), reach).buckets(shape) {
                 Some(buckets) => near.extend(buckets.into_iter().map(|bucket| (bucket, index))),
                 None => everywhere.push(index),
             }
         }
         near.sort_unstable();
         near.dedup();
-        let mut starts = vec![0; shape.buckets() + 1];
-        for (bucket, _) in &near {
-            starts[*bucket as usize + 1] += 1;
-        }
-        for bucket in 0..shape.buckets() {
-            starts[bucket + 1] += starts[bucket];
-        }
-        Self {
-            starts,
-            near: near.into_iter().map(|(_, wall)| wall).collect(),
+        let mut walls = Self {
+            beside: vec![Word::default(); shape.buckets().div_ceil(WORD)],
+            starts: vec![0],
+            near: near.iter().map(|(_, wall)| *wall).collect(),
             everywhere,
+        };
+        for group in near.chunk_by(|one, other| one.0 == other.0) {
+            walls.close(group[0].0, group.len());
+        }
+        walls.count();
+        walls
+    }
+
+    /// Notes that a bucket has so many walls, after all buckets before it.
+    fn close(&mut self, bucket: u32, walls: usize) {
+        let start = self.starts[self.starts.len() - 1];
+        self.starts.push(start + walls as u32);
+        self.beside[bucket as usize / WORD].bits |= 1 << (bucket as usize % WORD);
+    }
+
+    fn count(&mut self) {
+        let mut before = 0;
+        for word in &mut self.beside {
+            word.before = before;
+            before += word.bits.count_ones();
         }
     }
 
     /// The walls that a disc in a bucket may meet.
     #[inline]
     pub(super) fn near(&self, bucket: u32) -> impl Iterator<Item = u32> {
-        let [start, end] = [0, 1].map(|more| self.starts[bucket as usize + more] as usize);
-        let near = self.near[start..end].iter();
-        near.chain(&self.everywhere).copied()
+        let near = &self.near[self.range(bucket)];
+        near.iter().chain(&self.everywhere).copied()
+    }
+
+    #[inline]
+    fn range(&self, bucket: u32) -> std::ops::Range<usize> {
+        let word = self.beside[bucket as usize / WORD];
+        let bit = 1 << (bucket as usize % WORD);
+        if word.bits & bit == 0 {
+            return 0..0;
+        }
+        let place = (word.before + (word.bits & (bit - 1)).count_ones()) as usize;
+        self.starts[place] as usize..self.starts[place + 1] as usize
     }
 }
 
@@ -60,7 +99,7 @@ struct Band {
 
 impl Band {
     fn about(segment: &Segment<Interval>, reach: f64) -> Self {
-        let middle = |point: &crate::vec2::Vec2<Interval>| [point.x.middle(), point.y.middle()];
+        let middle = |point: &Vec2<Interval>| [point.x.middle(), point.y.middle()];
         let [from, to] = [middle(&segment.from), middle(&segment.to)];
         let (low, high) = if from[1] <= to[1] {
             (from, to)
