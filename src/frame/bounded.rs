@@ -31,6 +31,19 @@ impl<'a, S: Kernel> Bounded<'a, S> {
         }
     }
 
+    /// Moves apart what overlaps (P3.5). Those of it that do not approach part.
+    pub(super) fn resolve_overlaps(&mut self) -> Result<(), S::Doubt> {
+        for (disc, obstacle) in self.world.pairs() {
+            let Some(feature) = self.separate(disc, obstacle)? else {
+                continue;
+            };
+            if !self.world.approaches_here(disc, feature)? {
+                self.world.remember(disc, feature);
+            }
+        }
+        Ok(())
+    }
+
     /// Moves a disc and an obstacle apart if they overlap, to exact contact.
     pub(super) fn separate(
         &mut self,

@@ -18,6 +18,10 @@ mod retroactive;
 mod single;
 mod synchronised;
 
+use crate::kernel::Kernel;
+use crate::world::World;
+use bounded::Bounded;
+
 pub use multiple::{Passes, multiple};
 pub use retroactive::retroactive;
 pub use single::single;
@@ -32,4 +36,9 @@ pub struct Frame<S> {
     pub start: S,
     /// How long it lasts.
     pub duration: S,
+}
+
+/// Moves apart what overlaps, as a frame with passes does at its start (P3.5).
+pub(crate) fn resolve_overlaps<S: Kernel>(world: &mut World<S>) -> Result<(), S::Doubt> {
+    Bounded::new(world).resolve_overlaps()
 }

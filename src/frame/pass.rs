@@ -55,15 +55,7 @@ impl<'a, S: Kernel> Passing<'a, S> {
 
     /// Moves apart what overlaps at the start of the frame (P3.5).
     pub(super) fn resolve_overlaps(&mut self) -> Result<(), S::Doubt> {
-        for (disc, obstacle) in self.bodies.world.pairs() {
-            let Some(feature) = self.bodies.separate(disc, obstacle)? else {
-                continue;
-            };
-            if !self.bodies.world.approaches_here(disc, feature)? {
-                self.bodies.world.remember(disc, feature);
-            }
-        }
-        Ok(())
+        self.bodies.resolve_overlaps()
     }
 
     /// Finds the collisions of one pass and applies those that come first.
