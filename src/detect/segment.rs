@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn past_the_far_end() {
         let (from, to) = (Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
-        let segment = Segment::new(from.clone(), to.clone(), to.minus(&from));
+        let segment = Segment::new(from, to, to.minus(&from));
         let (radius, fall) = (0.1_f64, 2_f64.powi(-60));
         let (centre, velocity) = (Vec2::new(-1.0, radius.next_up()), Vec2::new(0.4, -fall));
         let end = meet_circle(&centre.minus(&to), &velocity, &radius);
