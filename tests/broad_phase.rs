@@ -139,7 +139,7 @@ fn disc_in(corner: [f64; 2], size: f64, traits: Traits) -> impl Strategy<Value =
     })
 }
 
-/// A few hundred discs of three sizes, the largest about a hundred times as large as
+/// A few hundred discs of three sizes, the largest some twenty times as large as
 /// the smallest, in a box or in the open, and some walls.
 fn sizes() -> impl Strategy<Value = SceneBuilder> {
     let block = prop::sample::select(vec![Block::Large, Block::Small, Block::Tiny]);

@@ -72,8 +72,8 @@ pub(super) struct Motion {
     pub(super) since: f64,
     /// The greatest of the speeds that its velocity was computed from.
     pub(super) pace: f64,
-    /// How many impacts it has had.
-    pub(super) impacts: u32,
+    /// The margins of all impacts that it has had.
+    pub(super) blur: f64,
 }
 
 impl Motion {
@@ -84,7 +84,7 @@ impl Motion {
             velocity,
             since: since.to_f64(),
             pace: length(velocity),
-            impacts: 0,
+            blur: 0.0,
         }
     }
 
@@ -92,6 +92,11 @@ impl Motion {
     pub(super) fn place(&self, time: f64) -> [f64; 2] {
         let flown = time - self.since;
         [0, 1].map(|axis| self.position[axis] + self.velocity[axis] * flown)
+    }
+
+    /// From where the disc is stored to where another one is.
+    pub(super) fn to(&self, other: &Self) -> [f64; 2] {
+        [0, 1].map(|axis| other.position[axis] - self.position[axis])
     }
 
     pub(super) fn speed(&self) -> f64 {

@@ -37,6 +37,8 @@ pub enum Kind {
     Misordered,
     /// Bodies overlap more than their impacts' roundings add up to.
     Overlap,
+    /// A frame moves bodies that overlap by more than it takes.
+    Displaced,
     /// An impact gains energy, or an elastic one loses some.
     Energy,
     /// A second run differs.
@@ -107,6 +109,7 @@ impl fmt::Display for Kind {
             Self::Missed => "missed impact",
             Self::Misordered => "misordered impact",
             Self::Overlap => "overlap beyond rounding",
+            Self::Displaced => "moved apart by more than the overlap",
             Self::Energy => "energy not kept",
             Self::Nondeterminism => "a second run differs",
             Self::NotFinite => "a number is not finite",

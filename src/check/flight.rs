@@ -136,7 +136,9 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Each impact of a disc may leave it a margin deeper in another.
+    /// Each impact of a disc may leave it deeper in another, by the margin of the
+    /// flight up to that impact: all its discs' flights add up, the fast ones before
+    /// they were slowed down included.
     fn judge_overlaps(&self, index: usize) -> Result<(), Finding> {
         let record = self.record;
         let claim = &record.claims[index];
@@ -147,8 +149,8 @@ impl<'a> Flight<'a> {
             discs(*pair).any(|disc| discs(claim.pair).any(|other| other == disc))
         };
         for pair in self.pairs().filter(changed) {
-            let impacts: u32 = discs(pair).map(|disc| after[disc].impacts).sum();
-            let allowed = f64::from(1 + impacts);
+            let blur: f64 = discs(pair).map(|disc| after[disc].blur).sum();
+            let allowed = 1.0 + blur / window.margin(pair);
             let floor = start.course(pair).distances()[0];
             let beyond = window.overlap(pair, floor) / allowed;
             if beyond > 1.0 {

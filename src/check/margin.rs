@@ -31,6 +31,11 @@
 //! rounded: at most twenty roundings of 2 w, twice the speeds before. Over the
 //! flight that is 40 u P, where the speeds in P are those before and after the
 //! impact. Hence 16 for A and 64 for P, of which 12 + 40 are accounted for.
+//!
+//! Where an impact leaves a disc, its place is off by the margin of the flight up to
+//! there, with the speeds of that flight. A slower flight after it does not take that
+//! back: what a disc overlaps after several impacts is up to the sum of the margins of
+//! all these flights, each with its own P, and one more.
 
 /// The unit roundoff of binary64.
 pub(super) const ROUNDOFF: f64 = f64::EPSILON / 2.0;

@@ -1,22 +1,28 @@
 //! The multiple collision algorithm held against what it says it does, pass by
 //! pass.
 //!
+//! A frame starts with moving apart what overlaps. That is judged first: nothing
+//! may be moved by more than it has to. It also settles which pairs have parted and
+//! are not tested, and how far apart those are that are; so it is the start of what
+//! follows. A disc that overlaps several others may be moved by more than a margin of
+//! a pair that none of these is in.
+//!
 //! Every pass is judged from its own start: where each disc then is, and how
 //! much of its frame is left. A collision is right if the two touch and approach
 //! after the time that each of them takes, and if no other pair with one of
 //! them, on its own clocks, gets into each other before. A pair that gets into
 //! each other within the frame, without a collision, must have lost against
-//! another one. All of that is exact, up to the same margins as elsewhere: a
-//! frame moves bodies that overlap by rounding apart, which is a second one.
+//! another one. All of that is exact, up to the same margins as elsewhere.
 
-use super::bodies::{Bodies, Motion, discs};
+use super::bodies::{Bodies, Motion, discs, length};
 use super::finding::{Finding, Kind, Run};
 use super::flight::Trial;
 use super::record::Claim;
 use super::window::Window;
 use super::{Effort, trial};
 use crate::arithmetic::Arithmetic;
-use crate::frame::{Candidates, Frame, Passes, multiple};
+use crate::body::Disc;
+use crate::frame::{Candidates, Frame, Passes, multiple, resolve_overlaps};
 use crate::impact::Impact;
 use crate::kernel::Kernel;
 use crate::scene::Scene;
@@ -87,16 +93,18 @@ fn judge_frame<S: Arithmetic>(
     passes: &[Pass<S>],
 ) -> Result<(), Finding> {
     let mut objects = Objects::new(world, frame);
-    if objects.overlap() {
+    let mut apart = world.clone();
+    if objects.overlap() || resolve_overlaps(&mut apart).is_err() {
         return Ok(());
     }
+    let trial = |pass| {
+        let frame = frame.number;
+        trial::<S>(Run::Frame { frame, pass })
+    };
+    objects.separate(&apart, trial(1))?;
     for (pass, number) in passes.iter().zip(1..) {
-        let run = Run::Frame {
-            frame: frame.number,
-            pass: number,
-        };
         let claims: Vec<_> = pass.collisions.iter().map(Claim::of).collect();
-        objects.judge(&pass.collisions, &claims, trial::<S>(run))?;
+        objects.judge(&pass.collisions, &claims, trial(number))?;
         objects.collide(&pass.collisions, &claims, &pass.end);
     }
     Ok(())
@@ -134,7 +142,6 @@ impl<S: Arithmetic> Objects<S> {
     fn window(&self, time: f64) -> Window<'_> {
         Window {
             clock: self.duration,
-            slack: 2.0,
             ..Window::new(&self.bodies, &self.motions, time)
         }
     }
@@ -144,6 +151,47 @@ impl<S: Arithmetic> Objects<S> {
         let window = self.window(0.0);
         let mut pairs = self.bodies.pairs();
         pairs.any(|pair| window.overlap(pair, f64::INFINITY) > 1.0)
+    }
+
+    /// Takes over where the objects are when what overlaps has been moved apart. What
+    /// has parted only by that goes on to be tested: it must not meet.
+    fn separate(&mut self, apart: &World<S>, trial: Trial) -> Result<(), Finding> {
+        let due = self.due_moves();
+        for (disc, body) in apart.discs.iter().enumerate() {
+            let motion = Motion::of(body, &S::from_integer(0));
+            let moved = length(self.motions[disc].to(&motion));
+            if moved > due[disc] {
+                let fault = (Kind::Displaced, moved / due[disc]);
+                return Err(trial.finding(fault, 0, None, 0.0));
+            }
+            let parted = self.world.discs[disc].last;
+            self.motions[disc] = motion;
+            self.world.discs[disc] = Disc {
+                last: parted.filter(|_| parted == body.last),
+                ..body.clone()
+            };
+        }
+        Ok(())
+    }
+
+    /// By how much each disc may be moved out of what it overlaps. A pair is moved by
+    /// no more than it overlaps, which is what it did at first, and what pairs before
+    /// it have moved either of the two.
+    fn due_moves(&self) -> Vec<f64> {
+        let mut due = vec![0.0; self.motions.len()];
+        let window = Window {
+            clock: 0.0,
+            ..self.window(0.0)
+        };
+        for pair in self.bodies.pairs() {
+            let apart = window.course(pair).distances()[0] - window.reach(pair).to_f64();
+            let moved: f64 = discs(pair).map(|disc| due[disc]).sum();
+            let overlap = (moved - apart + window.margin(pair)).max(0.0);
+            for disc in self.bodies.movable(pair) {
+                due[disc] += overlap;
+            }
+        }
+        due
     }
 
     fn left(&self, pair: Pair) -> f64 {
@@ -253,5 +301,36 @@ impl<S: Arithmetic> Objects<S> {
                 self.modified[disc] = true;
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Disc;
+
+    /// Two discs of equal mass that overlap by 1, and may be moved by that at most.
+    #[test]
+    fn moved_too_far() {
+        let scene = Scene::builder("overlap").frame(4, 1);
+        let scene = scene.discs([Disc::at([0, 0], 1), Disc::at([1, 0], 1)]);
+        let world = World::<f64>::new(&scene.build().unwrap(), ());
+        let frame = Frame {
+            number: 0,
+            start: 0.0,
+            duration: 4.0,
+        };
+        let run = Run::Frame { frame: 0, pass: 1 };
+        let kind = |place| {
+            let mut apart = world.clone();
+            resolve_overlaps(&mut apart).unwrap();
+            assert_eq!(apart.discs[0].position.x, -0.5);
+            apart.discs[0].position.x = place;
+            let separated = Objects::new(&world, &frame).separate(&apart, trial::<f64>(run));
+            separated.err().map(|finding| finding.kind)
+        };
+        assert_eq!(kind(-0.5), None);
+        assert_eq!(kind(-1.0), None);
+        assert_eq!(kind(-1.0 - 2_f64.powi(-40)), Some(Kind::Displaced));
     }
 }

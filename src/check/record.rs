@@ -1,6 +1,7 @@
 //! What a timeline did: its state before and after each of its impacts.
 
 use super::bodies::{Bodies, Motion, discs};
+use super::window::Window;
 use crate::arithmetic::Arithmetic;
 use crate::body::{BodyId, Disc, End, Pair};
 use crate::impact::Impact;
@@ -59,13 +60,14 @@ impl Record {
     fn note(&mut self, claim: Claim, mut state: Vec<Motion>) {
         let before = &self.states[self.claims.len()];
         for (now, then) in state.iter_mut().zip(before) {
-            (now.pace, now.impacts) = (then.pace, then.impacts);
+            (now.pace, now.blur) = (then.pace, then.blur);
         }
         let speeds = discs(claim.pair).flat_map(|disc| [before[disc].speed(), state[disc].speed()]);
         let pace = speeds.fold(0.0, f64::max);
+        let margin = Window::new(&self.bodies, before, claim.time).margin(claim.pair);
         for disc in self.bodies.movable(claim.pair) {
             state[disc].pace = pace;
-            state[disc].impacts += 1;
+            state[disc].blur += margin;
         }
         self.claims.push(claim);
         self.states.push(state);

@@ -50,6 +50,16 @@ impl<'a, S: Kernel> Bounded<'a, S> {
         self.candidates.pairs(self.world)
     }
 
+    /// Moves apart what overlaps (P3.5). Those of it that do not approach part.
+    pub(super) fn resolve_overlaps(&mut self) -> Result<(), S::Doubt> {
+        self.separate_all(|world, disc, feature| {
+            if !world.approaches_here(disc, feature)? {
+                world.remember(disc, feature);
+            }
+            Ok(())
+        })
+    }
+
     /// Moves apart, to exact contact, all pairs that overlap, one after the other
     /// (P3.5). Each is told of before the next one is looked for.
     pub(super) fn separate_all(

@@ -24,6 +24,9 @@ mod single;
 mod synchronised;
 
 pub use crate::broad_phase::BroadPhase;
+use crate::kernel::Kernel;
+use crate::world::World;
+use bounded::Bounded;
 pub use candidates::Candidates;
 pub use multiple::{Passes, multiple};
 pub use retroactive::retroactive;
@@ -39,4 +42,10 @@ pub struct Frame<S> {
     pub start: S,
     /// How long it lasts.
     pub duration: S,
+}
+
+/// Moves apart what overlaps, as a frame with passes does at its start (P3.5).
+pub(crate) fn resolve_overlaps<S: Kernel>(world: &mut World<S>) -> Result<(), S::Doubt> {
+    let mut all = Candidates::new(BroadPhase::AllPairs);
+    Bounded::new(world, &mut all, &S::from_integer(0)).resolve_overlaps()
 }

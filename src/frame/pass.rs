@@ -61,12 +61,7 @@ impl<'a, S: Kernel> Passing<'a, S> {
 
     /// Moves apart what overlaps at the start of the frame (P3.5).
     pub(super) fn resolve_overlaps(&mut self) -> Result<(), S::Doubt> {
-        self.bodies.separate_all(|world, disc, feature| {
-            if !world.approaches_here(disc, feature)? {
-                world.remember(disc, feature);
-            }
-            Ok(())
-        })
+        self.bodies.resolve_overlaps()
     }
 
     /// Finds the collisions of one pass and applies those that come first.
