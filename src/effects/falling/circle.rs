@@ -30,10 +30,10 @@ pub(super) fn meet<S: Scalar>(way: &impl Trajectory<S>, reach: &S) -> Met<S> {
 /// When a point that is on a circle, and does not approach its centre, meets it
 /// again.
 pub(super) fn meet_again<S: Scalar>(way: &impl Trajectory<S>) -> Met<S> {
-    way.distance(S::from_integer(0)).from_contact(1)
+    way.distance(S::from_integer(0)).meet_from_contact(1)
 }
 
 /// The same, where its way is known to be a tangent of the circle.
 pub(super) fn leave<S: Scalar>(way: &impl Trajectory<S>) -> Met<S> {
-    way.distance(S::from_integer(0)).from_contact(2)
+    way.distance(S::from_integer(0)).meet_from_contact(2)
 }

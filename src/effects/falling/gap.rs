@@ -21,14 +21,14 @@ pub trait Gap<S: Scalar>: Sized {
     /// When bodies meet that touch, if so many derivatives are known to be zero.
     /// If the first that is not is negative they approach, or would enter each
     /// other though they do not approach: one *rests* on the other.
-    fn from_contact(&self, zeros: usize) -> Met<S> {
+    fn meet_from_contact(&self, zeros: usize) -> Met<S> {
         if zeros > LAST {
             return Ok(None);
         }
         match (self.sign(zeros)?, zeros) {
             (Less, 1) => Ok(Some(Encounter::now())),
             (Less, _) => Ok(Some(Encounter::rest())),
-            (Equal, _) => self.from_contact(zeros + 1),
+            (Equal, _) => self.meet_from_contact(zeros + 1),
             (Greater, _) => self.descent(zeros),
         }
     }

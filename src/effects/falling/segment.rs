@@ -103,7 +103,7 @@ pub(super) fn leave<S: Scalar>(path: &impl Trajectory<S>, wall: &Segment<S>) -> 
 fn fall<S: Scalar>(gap: &impl Gap<S>) -> Met<S> {
     let met = match gap.sign(0)? {
         Greater => gap.descent(0)?,
-        Less | Equal => gap.from_contact(1)?,
+        Less | Equal => gap.meet_from_contact(1)?,
     };
     Ok(met.filter(|met| !met.graze))
 }
@@ -164,7 +164,7 @@ impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
         let Known { gap, sign, zeros } = self.gap(side, touched)?;
         let met = match sign {
             Greater => gap.descent(0)?,
-            Equal => gap.from_contact(zeros)?,
+            Equal => gap.meet_from_contact(zeros)?,
             Less => self.descent_from_within(&gap, side)?,
         };
         let Some(met) = met else { return Ok(None) };
@@ -190,7 +190,7 @@ impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
         }
         let back = gap.descent(0)?;
         if is_here && back.is_none() {
-            return gap.from_contact(1);
+            return gap.meet_from_contact(1);
         }
         Ok(back)
     }

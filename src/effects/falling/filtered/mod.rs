@@ -121,11 +121,7 @@ impl Kernel for Falling<Filtered> {
         let Disc {
             position, velocity, ..
         } = flight.disc;
-        let arc = Arc::new(
-            position.minus(&wall.from),
-            velocity.clone(),
-            &flight.pull.acting,
-        );
+        let arc = Arc::new(position.minus(&wall.from), *velocity, &flight.pull.acting);
         bouncing(&arc.quadratic(|power| power.cross(&wall.along)), kept)
     }
 
