@@ -10,7 +10,7 @@ use super::medium::{Marker, Vacuum};
 use crate::roots::{Descent, Fades, Fading, Polynomial, Roots};
 use crate::scalar::{Decay, Interval, Number, Scalar};
 
-/// A number as it is, of bodies that gravity pulls through a [`Medium`].
+/// A number as it is, of bodies that gravity pulls through a [`Medium`](super::Medium).
 ///
 /// It computes and decides as the number that it holds does. What sets it apart
 /// is its [`Kernel`](crate::kernel::Kernel), in which bodies fall.
