@@ -82,7 +82,8 @@ const LATE: f64 = 64.0;
 const SMALL: f64 = 1.0 / 16.0;
 
 /// 1 - e^-x and x - (1 - e^-x). With D and L those of x, those of 2 x are
-/// D (2 - D) and 2 L + D², where nothing cancels.
+/// D (2 - D) and 2 L + D², where nothing cancels. (Bounds of 1 - (1 - D)² are
+/// narrower for D above 1/2: they get narrow as D nears 1.)
 fn decay_and_lag(x: f64) -> [Interval; 2] {
     if x >= LATE {
         let decay = Interval::new(BELOW_ONE, 1.0);
@@ -96,10 +97,14 @@ fn decay_and_lag(x: f64) -> [Interval; 2] {
     let start = Interval::point(x / f64::from(doublings).exp2());
     let mut lag = small_lag(start);
     let mut decay = start - lag;
-    let two = Interval::point(2.0);
+    let [one, two] = [1.0, 2.0].map(Interval::point);
     for _ in 0..doublings {
         lag = two * lag + decay.square();
-        decay = decay * (two - decay);
+        decay = if decay.lo() < 0.5 {
+            decay * (two - decay)
+        } else {
+            one - (one - decay).square()
+        };
     }
     [decay, lag]
 }
