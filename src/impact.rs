@@ -32,6 +32,22 @@ pub struct Impact<S> {
     pub contact: Option<Box<Contact<S>>>,
 }
 
+impl<S> Impact<S> {
+    /// An impact of two bodies, of which no more is told.
+    pub(crate) fn new(time: S, (pair, end): (Pair, Option<End>), contact: Contact<S>) -> Self {
+        Self {
+            time,
+            moment: None,
+            other_time: None,
+            pair,
+            end,
+            tie: None,
+            step: None,
+            contact: Some(Box::new(contact)),
+        }
+    }
+}
+
 /// Where in its run a frame algorithm found an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Step {

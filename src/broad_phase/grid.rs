@@ -76,10 +76,7 @@ impl Grid {
 
     #[inline]
     fn cell(&self, coordinate: f64) -> Option<i64> {
-        let place = coordinate * self.inverse;
-        // Rounded down: quicker than the function of the C library.
-        let floor = || place as i64 - i64::from(place < place as i64 as f64);
-        (place.abs() < FARTHEST).then(floor)
+        cell(coordinate * self.inverse)
     }
 
     /// Visits the places of some cells.
@@ -92,6 +89,14 @@ impl Grid {
             }
         }
     }
+}
+
+/// The cell of a coordinate that is told in cells, unless it is too far out.
+#[inline]
+pub(crate) fn cell(coordinate: f64) -> Option<i64> {
+    // Rounded down: quicker than the function of the C library.
+    let floor = || coordinate as i64 - i64::from(coordinate < coordinate as i64 as f64);
+    (coordinate.abs() < FARTHEST).then(floor)
 }
 
 impl Cells {

@@ -18,6 +18,7 @@ mod lists;
 mod tests;
 
 pub(crate) use area::Area;
+pub(crate) use grid::cell;
 pub(crate) use index::Index;
 
 /// How bodies that are near to each other are found.

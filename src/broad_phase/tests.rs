@@ -153,3 +153,13 @@ fn few_parts_are_seen() {
         assert!((1..=4).contains(&parts), "{parts}");
     }
 }
+
+/// Rounded down, also below zero, and nothing overflows.
+#[test]
+fn cells_of_coordinates() {
+    let found = [2.0, 2.5, -0.5, -3.0].map(super::cell);
+    assert_eq!(found, [Some(2), Some(2), Some(-1), Some(-3)]);
+    for far in [1e10, -1e10, 1e300, -1e300, f64::NEG_INFINITY, f64::NAN] {
+        assert_eq!(super::cell(far), None);
+    }
+}

@@ -170,10 +170,7 @@ impl Candidates {
 
     #[inline]
     fn obstacle(&self, body: usize) -> Obstacle {
-        match body.checked_sub(self.discs) {
-            None => Obstacle::Disc(body),
-            Some(wall) => Obstacle::Wall(wall),
-        }
+        Obstacle::numbered(body, self.discs)
     }
 }
 

@@ -23,10 +23,11 @@ mod retroactive;
 mod single;
 mod synchronised;
 
-pub use crate::broad_phase::BroadPhase;
 use crate::kernel::Kernel;
 use crate::world::World;
 use bounded::Bounded;
+
+pub use crate::broad_phase::BroadPhase;
 pub use candidates::Candidates;
 pub use multiple::{Passes, multiple};
 pub use retroactive::retroactive;

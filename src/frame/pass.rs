@@ -186,22 +186,17 @@ impl<'a, S: Kernel> Passing<'a, S> {
         let place = self.place(collision);
         let contact = self.bodies.world.collide(disc, feature, place)?;
         self.note(collision);
-        let (pair, end) = self.bodies.world.names(disc, feature);
+        let names = self.bodies.world.names(disc, feature);
         let [time, other_time] = &collision.times;
         let absolute = |clock: &S| self.frame.start.clone() + clock;
         let differs = self.partner(feature).is_some() && !collision.same_time;
         Ok(Impact {
-            time: absolute(time),
-            moment: None,
             other_time: differs.then(|| absolute(other_time)),
-            pair,
-            end,
-            tie: None,
             step: Some(Step {
                 frame: self.frame.number,
                 pass: self.pass,
             }),
-            contact: Some(Box::new(contact)),
+            ..Impact::new(absolute(time), names, contact)
         })
     }
 

@@ -53,16 +53,10 @@ fn collide_overlapping<S: Kernel>(
             return Ok(());
         }
         let contact = world.collide_here(disc, feature)?;
-        let (pair, end) = world.names(disc, feature);
+        let names = world.names(disc, feature);
         impacts.push(Impact {
-            time: time.clone(),
-            moment: None,
-            other_time: None,
-            pair,
-            end,
-            tie: None,
             step: Some(step),
-            contact: Some(Box::new(contact)),
+            ..Impact::new(time.clone(), names, contact)
         });
         Ok(())
     })

@@ -116,7 +116,7 @@ fn small_lag(x: Interval) -> Interval {
     ];
     let one = Interval::point(1.0);
     // What follows is between nothing and the next term.
-    let rest = Interval::new(0.0, 1.0 / 39_916_800.0);
+    let rest = Interval::new(0.0, (one / Interval::point(39_916_800.0)).hi());
     let coefficients = FACTORIALS
         .iter()
         .rev()

@@ -227,7 +227,7 @@ impl<S: Timed> Timeline<S> {
         let place = self.flights.place(disc, feature, time, false);
         let world = &mut self.flights.world;
         world.remember(disc, feature);
-        let (pair, end) = world.names(disc, feature);
+        let names = world.names(disc, feature);
         let contact = Contact {
             normal,
             centre: place.centre,
@@ -238,14 +238,8 @@ impl<S: Timed> Timeline<S> {
             },
         };
         self.pending.push_back(Impact {
-            time: time.clone(),
             moment: Some(moment),
-            other_time: None,
-            pair,
-            end,
-            tie: None,
-            step: None,
-            contact: Some(Box::new(contact)),
+            ..Impact::new(time.clone(), names, contact)
         });
         self.part_nested(disc, feature, time);
     }

@@ -36,7 +36,7 @@ impl<S: Timed> Timeline<S> {
         } else {
             world.join(first, feature);
         }
-        let (pair, end) = world.names(first, feature);
+        let names = world.names(first, feature);
         self.part_nested(first, feature, &time);
         if !S::IS_STRAIGHT {
             self.let_go(changed, first, feature)?;
@@ -51,14 +51,8 @@ impl<S: Timed> Timeline<S> {
         }
         self.now = time.clone();
         Ok(Impact {
-            time,
             moment: Some(moment),
-            other_time: None,
-            pair,
-            end,
-            tie: None,
-            step: None,
-            contact: Some(Box::new(contact)),
+            ..Impact::new(time, names, contact)
         })
     }
 

@@ -1,84 +1,55 @@
 //! Which bodies are so close that they may overlap: the boxes about them do.
 //!
-//! The boxes are in binary64, rounded outwards. They are swept from left to right,
-//! so that of many bodies most pairs are never looked at.
+//! The boxes are in binary64, rounded outwards.
 
 use super::{Obstacle, World};
-use crate::body::{BodyId, Pair};
+use crate::broad_phase::{Area, BroadPhase, Index};
 use crate::kernel::Kernel;
 use crate::scalar::Interval;
-
-/// The box about a body.
-struct Bounds {
-    x: Interval,
-    y: Interval,
-    body: BodyId,
-}
-
-impl Bounds {
-    fn is_beside(&self, other: &Self) -> bool {
-        self.y.lo() <= other.y.hi() && other.y.lo() <= self.y.hi()
-    }
-}
+use crate::vec2::Vec2;
 
 impl<S: Kernel> World<S> {
     /// Every disc with the discs after it and the walls that it may overlap, and
-    /// with some that it does not.
+    /// with some that it does not: in the order of all pairs.
     pub(crate) fn close_pairs(&self) -> Vec<(usize, Obstacle)> {
-        let discs = (0..self.discs.len()).map(|disc| self.bounds_of_disc(disc));
-        let walls = (0..self.walls.len()).map(|wall| self.bounds_of_wall(wall));
-        let mut bounds: Vec<Bounds> = discs.chain(walls).collect();
-        bounds.sort_unstable_by(|one, other| one.x.lo().total_cmp(&other.x.lo()));
-        let mut pairs = Vec::new();
-        for (place, one) in bounds.iter().enumerate() {
-            let later = bounds[place + 1..].iter();
-            let reached = later.take_while(|other| other.x.lo() <= one.x.hi());
-            let close = reached.filter(|other| one.is_beside(other));
-            pairs.extend(close.map(|other| Pair::new(one.body, other.body)));
+        let discs = (0..self.discs.len()).map(|disc| self.box_of_disc(disc));
+        let walls = (0..self.walls.len()).map(|wall| self.box_of_wall(wall));
+        let mut index = Index::default();
+        index.rebuild(BroadPhase::Grid, discs.chain(walls));
+        let (mut pairs, mut near) = (Vec::new(), Vec::new());
+        let count = self.discs.len();
+        for disc in 0..count {
+            near.clear();
+            index.look_about(disc, |body| near.push(body));
+            near.retain(|&body| body > disc);
+            near.sort_unstable();
+            pairs.extend(
+                near.iter()
+                    .map(|&body| (disc, Obstacle::numbered(body, count))),
+            );
         }
-        pairs.sort_unstable();
-        pairs.into_iter().filter_map(obstacle_of).collect()
+        pairs
     }
 
-    fn bounds_of_disc(&self, disc: usize) -> Bounds {
+    fn box_of_disc(&self, disc: usize) -> Area {
         let body = &self.discs[disc];
         let radius = body.radius.hull();
-        let about = |middle: &S| {
-            let middle = middle.hull();
-            Interval::new((middle - radius).lo(), (middle + radius).hi())
-        };
-        Bounds {
-            x: about(&body.position.x),
-            y: about(&body.position.y),
-            body: BodyId::Disc(disc as u32),
-        }
+        let Vec2 { x, y } = body.position.map(S::hull);
+        let ends = |middle: Interval| [(middle - radius).lo(), (middle + radius).hi()];
+        area([x, y].map(ends))
     }
 
-    fn bounds_of_wall(&self, wall: usize) -> Bounds {
+    fn box_of_wall(&self, wall: usize) -> Area {
         let segment = &self.walls[wall].segment;
-        let between = |from: &S, to: &S| {
-            let (from, to) = (from.hull(), to.hull());
-            Interval::new(from.lo().min(to.lo()), from.hi().max(to.hi()))
-        };
-        Bounds {
-            x: between(&segment.from.x, &segment.to.x),
-            y: between(&segment.from.y, &segment.to.y),
-            body: BodyId::Wall(wall as u32),
-        }
+        let [from, to] = [&segment.from, &segment.to].map(|end| end.map(S::hull));
+        let ends = |[from, to]: [Interval; 2]| [from.lo().min(to.lo()), from.hi().max(to.hi())];
+        area([[from.x, to.x], [from.y, to.y]].map(ends))
     }
 }
 
-/// A disc and what it may overlap, unless both are walls.
-fn obstacle_of(pair: Pair) -> Option<(usize, Obstacle)> {
-    match (pair.a, pair.b) {
-        (BodyId::Disc(disc), BodyId::Disc(other)) => {
-            Some((disc as usize, Obstacle::Disc(other as usize)))
-        }
-        (BodyId::Disc(disc), BodyId::Wall(wall)) => {
-            Some((disc as usize, Obstacle::Wall(wall as usize)))
-        }
-        _ => None,
-    }
+/// The points between two ends in both coordinates.
+fn area([x, y]: [[f64; 2]; 2]) -> Area {
+    Area::new([x[0], y[0]], [x[1], y[1]])
 }
 
 #[cfg(test)]

@@ -32,6 +32,15 @@ pub enum Obstacle {
 }
 
 impl Obstacle {
+    /// A body of some number, where the walls are counted on after so many discs.
+    #[inline]
+    pub(crate) fn numbered(body: usize, discs: usize) -> Self {
+        match body.checked_sub(discs) {
+            None => Self::Disc(body),
+            Some(wall) => Self::Wall(wall),
+        }
+    }
+
     /// The disc, or the interior of the wall.
     pub(crate) fn whole(self) -> Feature {
         match self {

@@ -1,7 +1,6 @@
 //! Square cells, and how they share buckets.
 
-/// Cells further out have no names.
-const FARTHEST: f64 = (1_u64 << 31) as f64;
+use crate::broad_phase::cell;
 
 /// The size of the cells, and how they share buckets: a power of two of them in
 /// a row, and as many rows.
@@ -42,10 +41,7 @@ impl Shape {
     /// The cell of a coordinate.
     #[inline]
     pub(super) fn cell(&self, coordinate: f64) -> Option<i64> {
-        let place = coordinate * self.inverse;
-        // Rounded down: quicker than the function of the C library.
-        let cell = place as i64 - i64::from(place < place as i64 as f64);
-        (place.abs() < FARTHEST).then_some(cell)
+        cell(coordinate * self.inverse)
     }
 
     #[inline]
