@@ -14,7 +14,8 @@ use crate::scalar::{Dyadic, Exact, Interval, Scalar, Undecided};
 /// computed.
 impl Fades for f64 {
     fn lag(&self) -> Self {
-        Interval::point(*self).lag().middle()
+        let [_, lag] = Interval::point(*self).decay_and_lag();
+        lag.middle()
     }
 
     fn descent(f: &Fading<Self>, zeros: usize) -> Result<Option<Descent<Self>>, Infallible> {

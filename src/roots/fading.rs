@@ -91,30 +91,19 @@ impl<S: Scalar> Fading<S> {
 
 /// Enclosures with the exponential function.
 pub(super) trait Fade: Enclosure {
-    /// 1 - e^-x.
-    fn decay(&self) -> Self;
-
-    /// x - (1 - e^-x).
-    fn lag(&self) -> Self;
+    /// 1 - e^-x, and x - (1 - e^-x).
+    fn decay_and_lag(&self) -> [Self; 2];
 }
 
 impl Fade for Interval {
-    fn decay(&self) -> Self {
-        (*self).decay()
-    }
-
-    fn lag(&self) -> Self {
-        (*self).lag()
+    fn decay_and_lag(&self) -> [Self; 2] {
+        (*self).decay_and_lag()
     }
 }
 
 impl Fade for Exact {
-    fn decay(&self) -> Self {
-        self.decay()
-    }
-
-    fn lag(&self) -> Self {
-        self.lag()
+    fn decay_and_lag(&self) -> [Self; 2] {
+        [self.decay(), self.lag()]
     }
 }
 
@@ -122,7 +111,7 @@ impl<E: Fade> Function<E> for Fading<E> {
     fn at(&self, t: &E) -> E {
         let [one, s, r, ss, sr, rr] = &self.terms;
         let x = t.clone() * &self.rate;
-        let (fast, slow) = (x.decay() / &self.rate, x.lag() / &self.rate);
+        let [fast, slow] = x.decay_and_lag().map(|part| part / &self.rate);
         let of_fast = ss.clone() * &fast + s;
         let of_slow = sr.clone() * &fast + r + rr.clone() * &slow;
         one.clone() + of_fast * &fast + of_slow * &slow
