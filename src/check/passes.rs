@@ -44,6 +44,7 @@ pub(super) fn judge<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(),
     let precision = S::first_precision(&Default::default());
     let clock = FrameClock::new(scene.frame());
     let mut world = World::<S>::new(scene, precision);
+    let mut paces = vec![0.0; world.discs.len()];
     for number in 0..scene.frame().count.min(effort.frames) {
         let frame = Frame {
             start: S::from_integer(0),
@@ -52,7 +53,7 @@ pub(super) fn judge<S: Arithmetic>(scene: &Scene, effort: &Effort) -> Result<(),
         let Some(passes) = passes(&world, &frame, effort.passes) else {
             return Ok(());
         };
-        judge_frame(&world, &frame, &passes)?;
+        paces = judge_frame(Objects::new(&world, &frame, &paces), &frame, &passes)?;
         let Some(last) = passes.into_iter().next_back() else {
             return Ok(());
         };
@@ -87,15 +88,16 @@ fn passes<S: Arithmetic>(world: &World<S>, frame: &Frame<S>, most: u32) -> Optio
     Some(passes)
 }
 
+/// Judges a frame from where its objects are at its start. What is returned are the
+/// speeds that the velocities at its end were computed from.
 fn judge_frame<S: Arithmetic>(
-    world: &World<S>,
+    mut objects: Objects<S>,
     frame: &Frame<S>,
     passes: &[Pass<S>],
-) -> Result<(), Finding> {
-    let mut objects = Objects::new(world, frame);
-    let mut apart = world.clone();
+) -> Result<Vec<f64>, Finding> {
+    let mut apart = objects.world.clone();
     if objects.overlap() || resolve_overlaps(&mut apart).is_err() {
-        return Ok(());
+        return Ok(objects.paces());
     }
     let trial = |pass| {
         let frame = frame.number;
@@ -107,7 +109,7 @@ fn judge_frame<S: Arithmetic>(
         objects.judge(&pass.collisions, &claims, trial(number))?;
         objects.collide(&pass.collisions, &claims, &pass.end);
     }
-    Ok(())
+    Ok(objects.paces())
 }
 
 /// Where the objects are within the frame.
@@ -123,14 +125,16 @@ struct Objects<S: Kernel> {
 }
 
 impl<S: Arithmetic> Objects<S> {
-    fn new(world: &World<S>, frame: &Frame<S>) -> Self {
+    /// The objects at the start of a frame. The velocities that they come with were
+    /// computed from others, at these paces: whoever has not collided since is as far
+    /// off as it was then.
+    fn new(world: &World<S>, frame: &Frame<S>, paces: &[f64]) -> Self {
         let count = world.discs.len();
-        let zero = S::from_integer(0);
-        let discs = world.discs.iter();
+        let discs = world.discs.iter().zip(paces);
         Self {
             bodies: Bodies::of(world),
             world: world.clone(),
-            motions: discs.map(|disc| Motion::of(disc, &zero)).collect(),
+            motions: discs.map(|(disc, &pace)| paced(disc, pace)).collect(),
             clocks: vec![0.0; count],
             modified: vec![false; count],
             duration: frame.duration.to_f64(),
@@ -158,7 +162,7 @@ impl<S: Arithmetic> Objects<S> {
     fn separate(&mut self, apart: &World<S>, trial: Trial) -> Result<(), Finding> {
         let due = self.due_moves();
         for (disc, body) in apart.discs.iter().enumerate() {
-            let motion = Motion::of(body, &S::from_integer(0));
+            let motion = paced(body, self.motions[disc].pace);
             let moved = length(self.motions[disc].to(&motion));
             if moved > due[disc] {
                 let fault = (Kind::Displaced, moved / due[disc]);
@@ -192,6 +196,11 @@ impl<S: Arithmetic> Objects<S> {
             }
         }
         due
+    }
+
+    /// For each disc the greatest of the speeds that its velocity was computed from.
+    fn paces(&self) -> Vec<f64> {
+        self.motions.iter().map(|motion| motion.pace).collect()
     }
 
     fn left(&self, pair: Pair) -> f64 {
@@ -282,25 +291,30 @@ impl<S: Arithmetic> Objects<S> {
     /// stays there until the next pass.
     fn collide(&mut self, found: &[Impact<S>], claims: &[Claim], end: &World<S>) {
         self.is_first = false;
-        let zero = S::from_integer(0);
         for (impact, claim) in found.iter().zip(claims) {
             let other_time = impact.other_time.as_ref().unwrap_or(&impact.time);
             let times = [&impact.time, other_time].map(S::to_f64);
-            let pace = discs(claim.pair).map(|disc| self.motions[disc].pace).sum();
+            let speeds = discs(claim.pair).map(|disc| self.motions[disc].speed());
+            let pace = speeds.sum();
             for (disc, time) in discs(claim.pair).zip(times) {
                 if self.bodies.masses[disc].is_none() {
                     continue;
                 }
-                let motion = Motion::of(&end.discs[disc], &zero);
-                self.motions[disc] = Motion {
-                    pace: motion.pace.max(pace),
-                    ..motion
-                };
+                self.motions[disc] = paced(&end.discs[disc], pace);
                 self.world.discs[disc] = end.discs[disc].clone();
                 self.clocks[disc] = time;
                 self.modified[disc] = true;
             }
         }
+    }
+}
+
+/// A disc where its clock stands, with a velocity computed from speeds up to a pace.
+fn paced<S: Arithmetic>(disc: &Disc<S>, pace: f64) -> Motion {
+    let motion = Motion::of(disc, &S::from_integer(0));
+    Motion {
+        pace: motion.pace.max(pace),
+        ..motion
     }
 }
 
@@ -326,7 +340,8 @@ mod tests {
             resolve_overlaps(&mut apart).unwrap();
             assert_eq!(apart.discs[0].position.x, -0.5);
             apart.discs[0].position.x = place;
-            let separated = Objects::new(&world, &frame).separate(&apart, trial::<f64>(run));
+            let separated =
+                Objects::new(&world, &frame, &[0.0; 2]).separate(&apart, trial::<f64>(run));
             separated.err().map(|finding| finding.kind)
         };
         assert_eq!(kind(-0.5), None);
