@@ -28,6 +28,7 @@ pub mod kernel;
 #[cfg(feature = "json")]
 pub mod log;
 pub mod paper;
+pub mod playback;
 pub mod respond;
 pub mod roots;
 pub mod run;

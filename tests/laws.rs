@@ -10,6 +10,8 @@ mod parts;
 #[cfg(feature = "json")]
 #[path = "laws/pile.rs"]
 mod pile;
+#[path = "laws/playback.rs"]
+mod playback;
 #[path = "laws/reversal.rs"]
 mod reversal;
 #[path = "laws/scaling.rs"]
