@@ -24,6 +24,9 @@ pub struct Impact<S> {
     pub pair: Pair,
     /// The wall's end point that is hit, if it is one.
     pub end: Option<End>,
+    /// In a periodic scene, which copy of the second body the first one meets: so many
+    /// cells further on.
+    pub image: Option<Box<[i64; 2]>>,
     /// The number of the group of impacts proven to be simultaneous.
     pub tie: Option<u32>,
     /// The frame and the pass in which a frame algorithm found it.
@@ -41,6 +44,7 @@ impl<S> Impact<S> {
             other_time: None,
             pair,
             end,
+            image: None,
             tie: None,
             step: None,
             contact: Some(Box::new(contact)),
@@ -95,6 +99,7 @@ impl<S> Impact<S> {
             other_time: self.other_time.as_ref().map(&make),
             pair: self.pair,
             end: self.end,
+            image: self.image.clone(),
             tie: self.tie,
             step: self.step,
             contact: contact.map(|contact| Box::new(contact.map(&make))),

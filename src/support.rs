@@ -10,12 +10,6 @@ use crate::simulation::Algorithm;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unsupported {
-    /// An effect that this version does not simulate.
-    #[error("{place}: not simulated by this version")]
-    Effect {
-        /// Where the scene asks for it.
-        place: &'static str,
-    },
     /// An effect that an algorithm does not have in an arithmetic, or not
     /// together with another one.
     #[error("{place}: not available {circumstance}")]
@@ -50,11 +44,35 @@ pub fn check_support<S: Arithmetic>(
     scene: &Scene,
     algorithm: Algorithm,
 ) -> Result<(), Unsupported> {
-    if scene.periodic().is_some() {
-        return Err(Unsupported::Effect { place: "periodic" });
-    }
+    check_periodic::<S>(scene, algorithm)?;
     check_effects::<S>(scene, algorithm)?;
     numbers(scene).try_for_each(|(place, number)| check_number::<S>(place, number))
+}
+
+/// Only the timeline repeats the plane, and only where motion is straight.
+fn check_periodic<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Result<(), Unsupported> {
+    let Some(cell) = scene.periodic() else {
+        return Ok(());
+    };
+    let refused = |place, circumstance| Unsupported::Combination {
+        place,
+        circumstance,
+    };
+    if algorithm != Algorithm::Timeline {
+        return Err(refused("periodic", format!("in the algorithm {algorithm}")));
+    }
+    let effects = scene.effects();
+    let bent = [
+        (effects.gravity.is_some(), "effects.gravity"),
+        (effects.drag.is_some(), "effects.drag"),
+    ];
+    if let Some((_, place)) = bent.into_iter().find(|(asked, _)| *asked) {
+        return Err(refused(place, String::from("in a periodic scene")));
+    }
+    let sides = cell.sides();
+    sides
+        .iter()
+        .try_for_each(|side| check_number::<S>("periodic", side))
 }
 
 /// The frame algorithms take all effects. So does the timeline, but for drag in

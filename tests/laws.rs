@@ -7,6 +7,8 @@ mod change;
 mod conservation;
 #[path = "laws/parts.rs"]
 mod parts;
+#[path = "laws/periodic.rs"]
+mod periodic;
 #[cfg(feature = "json")]
 #[path = "laws/pile.rs"]
 mod pile;

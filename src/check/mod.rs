@@ -95,7 +95,8 @@ pub fn check_with(scene: &Scene, effort: &Effort) -> Result<(), Finding> {
     checked::<Filtered>(scene, effort)
 }
 
-/// Whether the runs of a scene can be checked: bodies have to move straight.
+/// Whether the runs of a scene can be checked: bodies have to move straight in
+/// one plane.
 ///
 /// # Errors
 ///
@@ -105,6 +106,7 @@ pub fn check_support(scene: &Scene) -> Result<(), Unsupported> {
     let bent = [
         (effects.gravity.is_some(), "effects.gravity"),
         (effects.drag.is_some(), "effects.drag"),
+        (scene.periodic().is_some(), "periodic"),
     ];
     if let Some((_, place)) = bent.into_iter().find(|(asked, _)| *asked) {
         let circumstance = String::from("where runs are checked");

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use carom::scalar::{Number, NumberError};
 use carom::scene::generate::{
-    MAX_POWER, MAX_ROWS, Rack, break_shot, corner, cradle, galperin, gas, mirror, ring, table1,
-    transformed,
+    MAX_POWER, MAX_ROWS, Rack, break_shot, corner, cradle, galperin, gas, mirror, periodic_gas,
+    ring, table1, transformed,
 };
 use carom::scene::{Scene, SceneError};
 use clap::Subcommand;
@@ -95,8 +95,11 @@ enum Kind {
         #[arg(long, default_value = "1")]
         scale: Number,
     },
-    /// A gas of equal discs in a square box.
-    #[command(after_help = "Example:\n  carom generate gas --count 500 --packing 0.5")]
+    /// A gas of equal discs in a square box, or in a square that repeats.
+    #[command(
+        after_help = "Examples:\n  carom generate gas --count 500 --packing 0.5\n  \
+                            carom generate gas --periodic"
+    )]
     Gas {
         /// The seed of the random positions and velocities.
         #[arg(long, default_value_t = 42)]
@@ -107,6 +110,9 @@ enum Kind {
         /// The part of the box that the discs cover.
         #[arg(long, default_value_t = 0.3)]
         packing: f64,
+        /// Instead of walls, let the square repeat.
+        #[arg(long)]
+        periodic: bool,
     },
     /// Two discs and a wall, whose impacts count the digits of π.
     #[command(after_help = "Example:\n  carom generate galperin --power 3")]
@@ -190,7 +196,11 @@ impl Kind {
                 seed,
                 count,
                 packing,
-            } => gas(*seed, *count, *packing),
+                periodic,
+            } => {
+                let generate = if *periodic { periodic_gas } else { gas };
+                generate(*seed, *count, *packing)
+            }
             Self::Galperin { power } => galperin(*power),
             Self::Cradle { count, moving, gap } => cradle(*count, *moving, gap),
             Self::Break { rows, touching, .. } if *touching => break_shot(*rows, &Rack::Touching),

@@ -7,7 +7,7 @@ use crate::impact::Impact;
 use crate::kernel::Kernel;
 use crate::scalar::{Number, Scalar};
 use crate::scene::{Effects, Restitution};
-use crate::timeline::{Accumulation, Setup, Timed, Timeline};
+use crate::timeline::{Accumulation, Periodic, Setup, Timed, Timeline};
 use crate::vec2::Vec2;
 use crate::world::World;
 
@@ -89,6 +89,9 @@ pub fn course<S: Arithmetic>(
     setup: &Setup<'_>,
     precision: S::Precision,
 ) -> Result<Box<dyn Course<S>>, S::Doubt> {
+    if let Some(period) = world.period.clone() {
+        return Ok(Box::new(Periodic::new(world, period, until)?));
+    }
     let number = |written: &Number| S::from_number(written, precision);
     let gravity = effects.gravity.as_ref();
     let gravity = gravity.map(|[x, y]| Vec2::new(number(x), number(y)));

@@ -114,6 +114,11 @@ pub struct Event {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "cli", schemars(with = "End"))]
     pub end: Option<End>,
+    /// In a periodic scene, which copy of the second body the first one meets: so many
+    /// cells further on, as places go on beyond the cell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "cli", schemars(with = "[i64; 2]"))]
+    pub image: Option<[i64; 2]>,
     /// The number that impacts proven to be simultaneous share.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "cli", schemars(with = "u32"))]

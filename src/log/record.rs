@@ -135,6 +135,7 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
             a: impact.pair.a,
             b: impact.pair.b,
             end: impact.end,
+            image: impact.image.as_deref().copied(),
             tie: impact.tie,
             contact: contact
                 .map(|(world, contact)| Contact::new(world, impact, contact, self.digits)),

@@ -13,7 +13,7 @@ use crate::scalar::{Doubt, Scalar, Undecided};
 use crate::scene::{Effects, Scene};
 use crate::simulation::{Algorithm, FrameClock, Simulation};
 use crate::symmetry::Symmetry;
-use crate::timeline::Setup;
+use crate::timeline::{Setup, count_overlaps};
 use crate::world::World;
 
 /// What an attempt has and has got so far.
@@ -55,7 +55,10 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
     pub(super) fn run(&mut self, scene: &Scene, algorithm: Algorithm) -> Outcome<S> {
         let world = World::<S>::new(scene, self.precision);
         let start = world.discs.clone();
-        let overlaps = world.count_overlaps();
+        let overlaps = match &world.period {
+            Some(period) => count_overlaps(&world, period),
+            None => world.count_overlaps(),
+        };
         let ran = match algorithm {
             Algorithm::Timeline => self.follow(world, scene.effects()),
             _ => self.step(scene, algorithm),

@@ -126,6 +126,7 @@ pub fn run<S: Arithmetic>(
     watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome<S>, Unsupported> {
     check_support::<S>(scene, algorithm)?;
+    check_rule(scene, options)?;
     if let Some(until) = &options.until {
         check_number::<S>("until", until)?;
     }
@@ -153,6 +154,17 @@ pub fn run<S: Arithmetic>(
         }
         restarts += 1;
     }
+}
+
+/// Copies of discs collide one pair at a time.
+fn check_rule(scene: &Scene, options: &Options) -> Result<(), Unsupported> {
+    if scene.periodic().is_none() || options.simultaneous == Simultaneous::Sequential {
+        return Ok(());
+    }
+    Err(Unsupported::Combination {
+        place: "periodic",
+        circumstance: format!("with the rule {}", options.simultaneous),
+    })
 }
 
 /// The certain bits of a disc's most certain number, of those that are not

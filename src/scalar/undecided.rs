@@ -59,6 +59,10 @@ impl fmt::Display for Proof {
 
 /// The reason why a decision was not made.
 pub trait Doubt: Error + Clone + Send + Sync + 'static {
+    /// What was asked and is left open before it is computed; none of an arithmetic
+    /// that makes every decision.
+    fn open(question: impl FnOnce() -> String) -> Option<Self>;
+
     /// Names what was asked.
     #[must_use]
     fn asking(self, question: impl FnOnce() -> String) -> Self;
@@ -68,6 +72,10 @@ pub trait Doubt: Error + Clone + Send + Sync + 'static {
 }
 
 impl Doubt for Undecided {
+    fn open(question: impl FnOnce() -> String) -> Option<Self> {
+        Some(Self::new(0, question()))
+    }
+
     fn asking(self, question: impl FnOnce() -> String) -> Self {
         Self {
             question: question(),
@@ -82,6 +90,10 @@ impl Doubt for Undecided {
 
 /// For arithmetics that make every decision.
 impl Doubt for Infallible {
+    fn open(_: impl FnOnce() -> String) -> Option<Self> {
+        None
+    }
+
     fn asking(self, _: impl FnOnce() -> String) -> Self {
         self
     }

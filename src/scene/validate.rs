@@ -69,6 +69,8 @@ fn sides(cell: &Cell) -> Result<[BigRational; 2], SceneError> {
                 shown(to),
             )
         })?;
+        let number = Number::try_from(side.clone());
+        number.map_err(|error| SceneError::format(format!("periodic.to[{axis}]"), error))?;
         Ok(side)
     };
     Ok([side(0)?, side(1)?])

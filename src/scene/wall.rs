@@ -31,3 +31,17 @@ pub struct Cell {
     /// The upper right corner.
     pub to: [Number; 2],
 }
+
+impl Cell {
+    /// The lengths of the sides.
+    ///
+    /// # Panics
+    ///
+    /// If they are no numbers: those of a [`Scene`](super::Scene) are.
+    pub fn sides(&self) -> [Number; 2] {
+        [0, 1].map(|axis| {
+            let side = self.to[axis].to_rational() - self.from[axis].to_rational();
+            Number::try_from(side).expect("the sides of a scene's cell are numbers")
+        })
+    }
+}

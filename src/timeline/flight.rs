@@ -67,7 +67,7 @@ impl<S: Kernel> Flights<S> {
     }
 
     /// Where a disc is that has been brought to a time, or moves on unchanged.
-    fn position_brought(&self, disc: usize, time: &S) -> Vec2<S> {
+    pub(super) fn position_brought(&self, disc: usize, time: &S) -> Vec2<S> {
         let body = &self.world.discs[disc];
         if body.is_movable() {
             body.position.clone()

@@ -12,7 +12,7 @@ use super::forecast::{Effort, Forecast};
 use super::meeting::Meeting;
 use crate::body::{End, Pair};
 use crate::kernel::{Kernel, Time};
-use crate::scalar::Doubt;
+use crate::scalar::{Doubt, Interval};
 
 /// A forecast as a candidate for the next impact.
 #[derive(Clone, Debug)]
@@ -236,7 +236,7 @@ impl<S: Timed> Timeline<S> {
         order.or_else(|doubt| {
             let commute = !one.names.0.shares_disc(&other.names.0);
             let apart = first.1.time.value() - &second.1.time.value();
-            if commute && is_negligible(&apart, self.negligible) {
+            if commute && is_negligible(&apart.hull(), self.negligible) {
                 return Ok(Equal);
             }
             let (first, second) = (one.names.0, other.names.0);
@@ -295,7 +295,7 @@ fn met_by<'a, S: Kernel>(
     (candidate.disc, meeting.expect("candidates are computed"))
 }
 
-fn is_negligible<S: Kernel>(apart: &S, limit: f64) -> bool {
-    let apart = apart.hull();
+/// Whether a number is surely between a limit and its negative.
+pub(super) fn is_negligible(apart: &Interval, limit: f64) -> bool {
     -limit <= apart.lo() && apart.hi() <= limit
 }

@@ -250,7 +250,7 @@ impl<S: Kernel> Flights<S> {
 /// close that none had to be proven the first. Then they must be apart, by more
 /// than they move in between.
 #[inline]
-fn check_order<S: Kernel>(approach: &Approach<'_, S>) -> Result<(), S::Doubt> {
+pub(super) fn check_order<S: Kernel>(approach: &Approach<'_, S>) -> Result<(), S::Doubt> {
     if S::ROUNDS || approach.together {
         return Ok(());
     }

@@ -21,6 +21,7 @@ mod meeting;
 mod neighbours;
 mod nested;
 mod notes;
+mod periodic;
 mod queue;
 mod resolve;
 mod rest;
@@ -48,6 +49,8 @@ use queue::Queue;
 
 pub use accumulation::Accumulation;
 pub use neighbours::BroadPhase;
+pub use periodic::Periodic;
+pub(crate) use periodic::count_overlaps;
 
 /// How simultaneous impacts that share a disc are resolved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -80,6 +83,10 @@ pub struct Setup<'a> {
     /// Symmetries that the world is known to have.
     pub symmetries: &'a [Symmetry],
 }
+
+/// 2^-1000, the part of the duration by which the times of impacts may differ of which
+/// it is of no account which one is the first.
+const NEGLIGIBLE: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// Whom a disc's forecast considers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -186,7 +193,7 @@ impl<S: Timed> Timeline<S> {
             rests: 0,
             pauses: 0,
             closest: f64::INFINITY,
-            negligible: until.hull().hi() * 2f64.powi(-1000),
+            negligible: until.hull().hi() * NEGLIGIBLE,
             watch,
         };
         for disc in 0..count {

@@ -28,6 +28,7 @@ impl<S: Kernel> World<S> {
                 .map(|(index, wall)| make_wall(wall, corners.of(index, wall), number))
                 .collect(),
             corners: corners.list,
+            period: scene.periodic().map(|cell| period(cell, precision)),
             restitution: make_restitution(&scene.effects().restitution, number),
             contacts: Contacts::none(scene.discs().len()),
         }
@@ -50,6 +51,7 @@ impl<S: Kernel> World<S> {
             discs: self.discs.iter().map(|disc| disc.map(&make)).collect(),
             walls: self.walls.iter().map(wall).collect(),
             corners: self.corners.clone(),
+            period: self.period.as_ref().map(|period| period.map(&make)),
             restitution: self.restitution.map(&make),
             contacts: Contacts::none(self.discs.len()),
         }
@@ -63,6 +65,7 @@ impl<S: Kernel> World<S> {
             discs: self.discs.iter().map(|disc| disc.map(S::hull)).collect(),
             walls: self.walls.iter().map(hull_of_wall).collect(),
             corners: self.corners.clone(),
+            period: self.period.as_ref().map(|period| period.map(S::hull)),
             restitution: self.restitution.map(S::hull),
             contacts: Contacts::none(self.discs.len()),
         }
@@ -100,6 +103,13 @@ impl Corners {
 
 fn vector<S>(written: &[Number; 2], number: impl Fn(&Number) -> S) -> Vec2<S> {
     Vec2::new(number(&written[0]), number(&written[1]))
+}
+
+/// The sides of a cell, each rounded at most once.
+fn period<S: Kernel>(cell: &scene::Cell, precision: S::Precision) -> Vec2<S> {
+    let [x, y] = cell.sides();
+    let side = |side| S::from_number(&side, precision);
+    Vec2::new(side(x), side(y))
 }
 
 fn make_disc<S>(disc: &scene::Disc, number: impl Fn(&Number) -> S) -> Disc<S> {

@@ -69,6 +69,8 @@ pub struct World<S: Kernel> {
     pub walls: Vec<Wall<S>>,
     /// The points where walls end: end points that coincide are one.
     pub corners: Vec<Corner>,
+    /// The sides of the cell that repeats, if the plane is periodic.
+    pub period: Option<Vec2<S>>,
     /// What impacts lose.
     pub restitution: Restitution<S>,
     /// What touches by construction, where the discs are now.

@@ -1,11 +1,11 @@
-//! A gas of equal discs.
+//! Gases of equal discs: in a box, or without any walls.
 
 use std::f64::consts::FRAC_PI_4;
 
 use super::random::Random;
 use crate::scalar::Number;
 use crate::scene::input::shown;
-use crate::scene::{Disc, Scene, SceneError};
+use crate::scene::{Disc, Scene, SceneBuilder, SceneError};
 
 /// How much of a lattice's step must stay free at the start, so that rounded
 /// positions cannot overlap.
@@ -18,6 +18,22 @@ const MIN_GAP: f64 = 1e-6;
 /// has variance 1. Since the lattice has whole rows, not every packing
 /// fraction up to π/4 can be had.
 pub fn gas(seed: u64, count: u32, packing: f64) -> Result<Scene, SceneError> {
+    let (side, scene) = fill(seed, count, packing)?;
+    let notes = format!("A gas of {count} discs that cover {packing} of the box. Seed {seed}.");
+    let scene = scene.id("gas").notes(notes);
+    scene.walls_around([0.0, 0.0], [side, side]).build()
+}
+
+/// The same gas in a square that repeats, in place of a box.
+pub fn periodic_gas(seed: u64, count: u32, packing: f64) -> Result<Scene, SceneError> {
+    let (side, scene) = fill(seed, count, packing)?;
+    let notes = format!("A gas of {count} discs that cover {packing} of the plane. Seed {seed}.");
+    let scene = scene.id("periodic-gas").notes(notes);
+    scene.periodic([0.0, 0.0], [side, side]).build()
+}
+
+/// The side of a square, and the discs in it.
+fn fill(seed: u64, count: u32, packing: f64) -> Result<(f64, SceneBuilder), SceneError> {
     let rows = f64::from(count).sqrt().ceil();
     let side = (f64::from(count) * FRAC_PI_4 / packing).sqrt();
     check(count, packing, side / rows - 1.0)?;
@@ -27,14 +43,8 @@ pub fn gas(seed: u64, count: u32, packing: f64) -> Result<Scene, SceneError> {
         let position = lattice.place(index, &mut random);
         Disc::at(position, "1/2").velocity([random.normal(), random.normal()])
     });
-    Scene::builder("gas")
-        .notes(format!(
-            "A gas of {count} discs that cover {packing} of the box. Seed {seed}."
-        ))
-        .discs(discs)
-        .walls_around([0.0, 0.0], [side, side])
-        .frame("1/60", 600)
-        .build()
+    let scene = Scene::builder("gas").discs(discs).frame("1/60", 600);
+    Ok((side, scene))
 }
 
 /// The points that discs of diameter 1 start near.

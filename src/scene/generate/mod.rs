@@ -26,7 +26,7 @@ pub use break_shot::{MAX_ROWS, Rack, break_shot};
 pub use corner::corner;
 pub use cradle::cradle;
 pub use galperin::{MAX_POWER, galperin};
-pub use gas::gas;
+pub use gas::{gas, periodic_gas};
 pub use mirror::mirror;
 pub use ring::ring;
 pub use table1::table1;

@@ -2,7 +2,7 @@
 
 use super::Motion;
 use super::grid::MARGIN;
-use super::shape::Shape;
+use super::shape::Scale;
 
 /// One coordinate of a disc's motion.
 pub(super) struct Course {
@@ -22,12 +22,12 @@ pub(super) struct Course {
 impl Course {
     /// One coordinate of a motion from a time on.
     #[inline]
-    pub(super) fn follow(motion: &Motion, axis: usize, time: f64, shape: &Shape) -> Option<Self> {
+    pub(super) fn follow(motion: &Motion, axis: usize, time: f64, scale: &Scale) -> Option<Self> {
         let [position, velocity] = [motion.position[axis], motion.velocity[axis]];
         let (speed, since) = (velocity.value, motion.since.value);
         let start = position.value + speed * (time - since);
-        let cell = shape.cell(start)?;
-        let size = shape.size;
+        let cell = scale.cell(start)?;
+        let size = scale.size;
         let (low, high) = (cell as f64 * size, (cell + 1) as f64 * size);
         let margin = MARGIN * size / 2.0;
         let way = if speed > 0.0 {

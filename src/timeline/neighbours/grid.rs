@@ -155,11 +155,11 @@ impl Grid {
     #[inline]
     fn find(&mut self, disc: usize, motion: &Motion, time: f64) -> Option<(u32, f64)> {
         let shape = &self.level(disc).shape;
-        let x = Course::follow(motion, 0, time, shape)?;
-        let y = Course::follow(motion, 1, time, shape)?;
+        let x = Course::follow(motion, 0, time, &shape.scale)?;
+        let y = Course::follow(motion, 1, time, &shape.scale)?;
         let mut leave = x.leave.min(y.leave).min(motion.until);
         let bucket = shape.bucket([x.cell, y.cell]);
-        let limit = MARGIN * shape.size / 4.0;
+        let limit = MARGIN * shape.scale.size / 4.0;
         if !self.stays.is_empty() {
             leave = leave.min(time + self.way(disc) / x.speed.abs().max(y.speed.abs()));
             let ends = [&x, &y].map(|course| course.between(time, leave));
@@ -177,7 +177,7 @@ impl Grid {
     /// For how long the motion of a disc is as good as straight, if no coordinate of
     /// the acceleration is larger than this.
     pub(super) fn straight_for(&self, disc: usize, pull: f64) -> f64 {
-        (MARGIN * self.level(disc).shape.size / 8.0 / pull).sqrt()
+        (MARGIN * self.level(disc).shape.scale.size / 8.0 / pull).sqrt()
     }
 
     #[inline]

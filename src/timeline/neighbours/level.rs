@@ -77,7 +77,7 @@ impl Level {
 
     /// The same, unless that were too many cells.
     fn search_rows(&self, stay: &Stay, largest: f64, list: &mut Vec<u32>) -> Option<()> {
-        let (shape, size) = (&self.shape, self.shape.size);
+        let (shape, size) = (&self.shape, self.shape.scale.size);
         let margin = MARGIN * size;
         let reach = (largest + self.largest) * SLACK;
         let far = reach + margin;

@@ -10,6 +10,7 @@ mod grid;
 mod level;
 mod shape;
 mod sizes;
+mod torus;
 mod walls;
 
 use super::flight::Flights;
@@ -18,6 +19,8 @@ use crate::scalar::Interval;
 use crate::vec2::Vec2;
 use crate::world::World;
 use grid::{Grid, Near};
+
+pub(super) use torus::{Image, Torus};
 
 /// How the bodies are found that a disc may meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,7 +78,7 @@ impl Known {
 
 impl Motion {
     #[inline]
-    fn of<S: Kernel>(flights: &Flights<S>, disc: usize) -> Self {
+    pub(super) fn of<S: Kernel>(flights: &Flights<S>, disc: usize) -> Self {
         let body = &flights.world.discs[disc];
         let known = |vector: &crate::vec2::Vec2<S>| [&vector.x, &vector.y].map(Known::of);
         Self {

@@ -2,12 +2,33 @@
 
 use crate::broad_phase::cell;
 
+/// One coordinate of cells of some size.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scale {
+    pub(super) size: f64,
+    inverse: f64,
+}
+
+impl Scale {
+    pub(super) fn new(size: f64) -> Self {
+        Self {
+            size,
+            inverse: 1.0 / size,
+        }
+    }
+
+    /// The cell of a coordinate.
+    #[inline]
+    pub(super) fn cell(&self, coordinate: f64) -> Option<i64> {
+        cell(coordinate * self.inverse)
+    }
+}
+
 /// The size of the cells, and how they share buckets: a power of two of them in
 /// a row, and as many rows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
-    pub(super) size: f64,
-    inverse: f64,
+    pub(super) scale: Scale,
     columns: u32,
     rows: u32,
 }
@@ -27,8 +48,7 @@ impl Shape {
             }
         }
         Self {
-            size,
-            inverse: 1.0 / size,
+            scale: Scale::new(size),
             columns,
             rows,
         }
@@ -41,7 +61,7 @@ impl Shape {
     /// The cell of a coordinate.
     #[inline]
     pub(super) fn cell(&self, coordinate: f64) -> Option<i64> {
-        cell(coordinate * self.inverse)
+        self.scale.cell(coordinate)
     }
 
     #[inline]

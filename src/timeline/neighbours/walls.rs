@@ -128,7 +128,7 @@ impl Band {
             return None;
         }
         for row in bottom..=top {
-            let [left, right] = self.row(row as f64 * shape.size, shape.size);
+            let [left, right] = self.row(row as f64 * shape.scale.size, shape.scale.size);
             let (left, right) = (shape.cell(left)?, shape.cell(right)?);
             if right - left + buckets.len() as i64 > most {
                 return None;
