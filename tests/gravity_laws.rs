@@ -5,6 +5,10 @@
 mod case;
 #[path = "gravity_laws/law.rs"]
 mod law;
+#[path = "gravity_laws/mirror.rs"]
+mod mirror;
+#[path = "gravity_laws/reversal.rs"]
+mod reversal;
 
 use carom::arithmetic::{Arithmetic, Budget};
 use carom::run::Options;

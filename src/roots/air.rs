@@ -8,17 +8,20 @@ use super::chain::{doubt, sharpen};
 use super::fading::{Fade, Fades, Fading};
 use super::search::{Open, first_descent};
 use super::span::Span;
-use crate::scalar::{Dyadic, Exact, Interval, Scalar, Undecided};
+use crate::scalar::{Decay, Dyadic, Exact, Interval, Scalar, Undecided, lag};
 
-/// By bounds of the numbers as they are. What these leave open counts as what is
-/// computed.
+/// Of a line by numbers alone; else by bounds of the numbers as they are. What these
+/// leave open counts as what is computed.
 impl Fades for f64 {
-    fn lag(&self) -> Self {
-        let [_, lag] = Interval::point(*self).decay_and_lag();
-        lag.middle()
+    fn decay_and_lag(&self) -> [Self; 2] {
+        [self.decay(), lag(*self)]
     }
 
     fn descent(f: &Fading<Self>, zeros: usize) -> Result<Option<Descent<Self>>, Infallible> {
+        if f.is_linear() {
+            let met = f.fall(zeros)?.map(|stretch| f.landing(stretch));
+            return Ok(met.map(Descent::crossing));
+        }
         let f = f.map(|&number| Interval::point(number));
         let Ok(Some(span)) = first_descent(f.clone(), zeros, f.end, Open::Guess) else {
             return Ok(None);
@@ -29,8 +32,8 @@ impl Fades for f64 {
 
 /// Proven, or left open.
 impl Fades for Exact {
-    fn lag(&self) -> Self {
-        self.lag()
+    fn decay_and_lag(&self) -> [Self; 2] {
+        self.decay_and_lag()
     }
 
     fn descent(f: &Fading<Self>, zeros: usize) -> Result<Option<Descent<Self>>, Undecided> {
@@ -50,6 +53,12 @@ impl Fades for Exact {
 
 /// The first descent, in binary64 where that suffices.
 fn crossing(f: &Fading<Exact>, zeros: usize) -> Result<Option<Span<Dyadic>>, Undecided> {
+    if f.is_linear() {
+        let Some(stretch) = f.fall(zeros)? else {
+            return Ok(None);
+        };
+        return f.enclosed_landing(stretch).map(Some);
+    }
     match first_descent(f.map(Exact::hull), zeros, f.end, Open::Doubt) {
         Ok(crossing) => Ok(crossing.map(|span| span.map(|place| Dyadic::from_f64(*place)))),
         Err(_) => first_descent(f.clone(), zeros, Dyadic::from_f64(f.end), Open::Doubt),
@@ -59,10 +68,7 @@ fn crossing(f: &Fading<Exact>, zeros: usize) -> Result<Option<Span<Dyadic>>, Und
 /// A descent to a simple zero.
 fn enclosed<E: Fade>(mut span: Span<E::Place>, f: &Fading<E>) -> Descent<E> {
     sharpen(&mut span, f);
-    Descent {
-        time: E::between(&span.low, &span.high),
-        graze: false,
-    }
+    Descent::crossing(E::between(&span.low, &span.high))
 }
 
 #[cfg(test)]

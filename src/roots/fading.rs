@@ -30,9 +30,9 @@ pub struct Fading<S> {
 
 /// A number type that finds zeros of such functions.
 pub trait Fades: Decay {
-    /// x - (1 - e^-x), for x ≥ 0.
+    /// 1 - e^-x, and x - (1 - e^-x), for x ≥ 0.
     #[must_use]
-    fn lag(&self) -> Self;
+    fn decay_and_lag(&self) -> [Self; 2];
 
     /// The first t > 0 at which f is zero and has been positive just before.
     ///
@@ -58,6 +58,14 @@ impl<S> Fading<S> {
 }
 
 impl<S: Scalar> Fading<S> {
+    /// The value, given s and r.
+    pub(super) fn of(&self, [fast, slow]: &[S; 2]) -> S {
+        let [one, s, r, ss, sr, rr] = &self.terms;
+        let of_fast = ss.clone() * fast + s;
+        let of_slow = sr.clone() * fast + r + rr.clone() * slow;
+        one.clone() + of_fast * fast + of_slow * slow
+    }
+
     /// The derivative.
     #[must_use]
     pub fn derivative(&self) -> Self {
@@ -103,18 +111,14 @@ impl Fade for Interval {
 
 impl Fade for Exact {
     fn decay_and_lag(&self) -> [Self; 2] {
-        [self.decay(), self.lag()]
+        self.decay_and_lag()
     }
 }
 
 impl<E: Fade> Function<E> for Fading<E> {
     fn at(&self, t: &E) -> E {
-        let [one, s, r, ss, sr, rr] = &self.terms;
         let x = t.clone() * &self.rate;
-        let [fast, slow] = x.decay_and_lag().map(|part| part / &self.rate);
-        let of_fast = ss.clone() * &fast + s;
-        let of_slow = sr.clone() * &fast + r + rr.clone() * &slow;
-        one.clone() + of_fast * &fast + of_slow * &slow
+        self.of(&x.decay_and_lag().map(|part| part / &self.rate))
     }
 
     fn derivative(&self) -> Self {

@@ -17,8 +17,9 @@
 //! | [`Exact`](crate::scalar::Exact), all coefficients rational | rational, or enclosed | decided, always |
 //! | [`Exact`](crate::scalar::Exact) otherwise | enclosed | left open |
 //!
-//! Through air it is a function of exponentials, [`Fading`], of which the zeros are
-//! enclosed by cutting the time into parts.
+//! Through air it is a function of exponentials, [`Fading`]. Between a disc and a line
+//! that is monotone but for one turn; else the zeros are enclosed by cutting the time
+//! into parts.
 //!
 //! The module `algebraic` keeps such a zero as a number of which everything is
 //! decidable.
@@ -30,6 +31,7 @@ mod chain;
 mod enclosure;
 mod fading;
 mod function;
+mod line;
 mod proven;
 mod search;
 mod span;
@@ -57,6 +59,11 @@ pub struct Descent<S> {
 }
 
 impl<S> Descent<S> {
+    /// To a simple zero.
+    fn crossing(time: S) -> Self {
+        Self { time, graze: false }
+    }
+
     /// The same, told in other numbers.
     pub(crate) fn map<T>(self, change: impl FnOnce(S) -> T) -> Descent<T> {
         Descent {

@@ -47,10 +47,7 @@ fn crossing(f: &Polynomial<Exact>) -> Result<Option<Span<Dyadic>>, Undecided> {
 /// left open.)
 fn enclosed<E: Enclosure>(mut span: Span<E::Place>, f: &Polynomial<E>) -> Descent<E> {
     sharpen(&mut span, f);
-    Descent {
-        time: E::between(&span.low, &span.high),
-        graze: false,
-    }
+    Descent::crossing(E::between(&span.low, &span.high))
 }
 
 /// The same polynomial times a whole number such that its coefficients become

@@ -12,7 +12,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 use super::chain::{doubt, sign_over};
 use super::enclosure::{Enclosure, Place};
 use super::function::Function;
-use super::span::{Kind, Span};
+use super::span::Span;
 use crate::scalar::Undecided;
 
 /// What becomes of parts that stay open.
@@ -59,7 +59,7 @@ pub(super) fn first_descent<E: Enclosure, F: Function<E>>(
             }
         };
         if before == Greater && after == Less {
-            return Ok(Some(part.crossed()));
+            return Ok(Some(Span::falling(part.low, part.high)));
         }
         if after.is_ne() {
             before = after;
@@ -154,16 +154,5 @@ impl<P: Place> Part<P> {
         let [low, high] = [[self.low, middle.clone()], [middle, self.high]]
             .map(|[low, high]| Self { low, high, cuts });
         [high, low]
-    }
-
-    /// The part, which has a zero where the sign turns negative.
-    fn crossed(self) -> Span<P> {
-        Span {
-            low: self.low,
-            high: self.high,
-            before: Greater,
-            after: Less,
-            kind: Kind::Simple,
-        }
     }
 }

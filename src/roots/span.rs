@@ -1,6 +1,6 @@
 //! Where the sign of a function is not known, and how that is narrowed.
 
-use std::cmp::Ordering::{self, Equal, Greater};
+use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::enclosure::{Enclosure, Place};
 use super::function::Function;
@@ -48,6 +48,17 @@ impl<P: Place> Span<P> {
             before,
             after,
             kind,
+        }
+    }
+
+    /// A part in which a function comes down to zero, once.
+    pub(super) fn falling(low: P, high: P) -> Self {
+        Self {
+            low,
+            high,
+            before: Greater,
+            after: Less,
+            kind: Kind::Simple,
         }
     }
 
@@ -104,6 +115,19 @@ impl<P: Place> Span<P> {
         let inner = ends[0].order(&low) == Greater || ends[1].order(&high).is_lt();
         self.meet(Some(ends));
         inner
+    }
+
+    /// Takes note of the sign at a place, if it is known.
+    pub(super) fn learn(&mut self, place: &P, sign: Option<Ordering>) {
+        let Some(sign) = sign.filter(|sign| sign.is_ne()) else {
+            return;
+        };
+        let (low, high) = (self.low.clone(), self.high.clone());
+        self.meet(Some(if sign == self.before {
+            [place.clone(), high]
+        } else {
+            [low, place.clone()]
+        }));
     }
 
     /// Leaves what is also between other ends.

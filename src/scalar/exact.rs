@@ -74,21 +74,11 @@ impl Exact {
         Self::plain(Value::Ball(Ball::unknown()), bits)
     }
 
-    /// A number between two bounds.
-    pub(crate) fn enclosing([lo, hi]: [BigRational; 2], bits: u32) -> Self {
-        if lo == hi {
-            return Self::from_rational(lo, bits);
-        }
-        let half = (&hi - &lo) / BigRational::from_integer(2.into());
-        let shift = 64 + half.denom().bits().saturating_sub(half.numer().bits());
-        let radius = (half.numer() << shift) / half.denom() + 1;
-        let radius = Radius::above(&Dyadic::new(radius, -(shift as i64)));
-        let around = Ball::around(Dyadic::zero(), radius);
-        let middle = Ball::from_ratio(&(lo + half), precision(bits));
-        Self::plain(
-            Value::Ball(middle.add(around.view(), precision(bits))),
-            bits,
-        )
+    /// The numbers from one to another.
+    pub(crate) fn spanning([low, high]: [Dyadic; 2], bits: u32) -> Self {
+        let error = Radius::above(&high.clone().sub(&low).halved());
+        let ball = Ball::around(low.add(&high).halved(), error);
+        Self::plain(Value::Ball(ball.shortened(precision(bits))), bits)
     }
 
     /// Whether the number is known exactly, as a rational.

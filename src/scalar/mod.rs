@@ -36,6 +36,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use num_rational::BigRational;
 
 pub use decay::Decay;
+pub(crate) use decay::lag;
 pub(crate) use dyadic::Dyadic;
 pub use exact::Exact;
 pub use filtered::Filtered;

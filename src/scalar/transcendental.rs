@@ -5,17 +5,18 @@
 //! place; the bounds count these. All functions are monotone, so that the bounds
 //! of an argument give those of the result.
 
+use std::cmp::Ordering::{Greater, Less};
+
 use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::{Exact, Scalar};
+use super::{Dyadic, Exact};
 
 /// Bits beyond those that are asked for.
 const GUARD: u32 = 64;
 
 /// The argument of the exponential series is below 2^-this.
-const SMALL: u32 = 16;
+const SMALL: i64 = 16;
 
 /// Fixed-point numbers with so many bits after the point.
 #[derive(Clone, Copy, Debug)]
@@ -26,17 +27,22 @@ impl Fixed {
         BigInt::one() << self.0
     }
 
-    /// Rounded down.
-    fn of(self, number: &BigRational) -> BigInt {
-        (number.numer() << self.0) / number.denom()
+    /// A number that is not negative over 2^`halvings`, rounded down.
+    fn of(self, number: &Dyadic, halvings: u32) -> BigInt {
+        let shift = number.exponent() + i64::from(self.0) - i64::from(halvings);
+        if shift < 0 {
+            number.mantissa() >> -shift
+        } else {
+            number.mantissa() << shift
+        }
     }
 
     fn product(self, one: &BigInt, other: &BigInt) -> BigInt {
         (one * other) >> self.0
     }
 
-    fn bounds(self, number: &BigInt, error: u64) -> [BigRational; 2] {
-        [number - error, number + error].map(|end| BigRational::new(end, self.one()))
+    fn bounds(self, number: &BigInt, error: u64) -> [Dyadic; 2] {
+        [number - error, number + error].map(|end| Dyadic::new(end, -i64::from(self.0)))
     }
 
     /// The sum of z^(2i+1) / (2i+1), for |z| ≤ 1/3: off by less than four units
@@ -51,17 +57,22 @@ impl Fixed {
         }
         (sum, 4 * terms)
     }
+
+    /// The logarithm of two, as that of 1/2 is -2 artanh 1/3.
+    fn ln_two(self) -> (BigInt, u64) {
+        let (half, error) = self.inverse_tanh(&(self.one() / 3));
+        (half * 2, 2 * error + 4)
+    }
 }
 
 /// Bounds of e^-x for x ≥ 0, no further apart than 2^-bits.
-fn exp_minus(x: &BigRational, bits: u32) -> [BigRational; 2] {
-    let whole = x.ceil().to_integer().bits() as u32;
-    if whole > 40 {
-        return [BigRational::zero(), small(bits)];
+fn exp_minus(x: &Dyadic, bits: u32) -> [Dyadic; 2] {
+    if x.top() > 40 {
+        return [Dyadic::zero(), Dyadic::new(BigInt::one(), -i64::from(bits))];
     }
-    let halvings = whole + SMALL;
+    let halvings = (x.top() + SMALL).max(0) as u32;
     let fixed = Fixed(bits + GUARD + 2 * halvings);
-    let argument = fixed.of(x) >> halvings;
+    let argument = fixed.of(x, halvings);
     let (mut term, mut sum, mut terms) = (fixed.one(), fixed.one(), 0_u64);
     while !term.is_zero() && term != BigInt::from(-1) {
         terms += 1;
@@ -77,99 +88,108 @@ fn exp_minus(x: &BigRational, bits: u32) -> [BigRational; 2] {
     fixed.bounds(&sum, error)
 }
 
-fn small(bits: u32) -> BigRational {
-    BigRational::new(BigInt::one(), BigInt::one() << bits)
-}
-
 /// Bounds of the natural logarithm of a positive number, no further apart than
 /// about 2^-bits.
-fn ln(x: &BigRational, bits: u32) -> [BigRational; 2] {
-    let exponent = x.numer().bits() as i64 - x.denom().bits() as i64;
+fn ln(x: &Dyadic, bits: u32) -> [Dyadic; 2] {
+    let exponent = x.top();
     let fixed = Fixed(bits + GUARD + 2 * exponent.unsigned_abs().max(1).ilog2());
-    let scale = |shift: i64| BigRational::from_integer(BigInt::one() << shift);
-    let middle = if exponent < 0 {
-        x * scale(-exponent)
-    } else {
-        x / scale(exponent)
-    };
-    // It is between 1/2 and 2.
-    let one = BigRational::one();
-    let z = fixed.of(&((&middle - &one) / (middle + one)));
-    let third = fixed.of(&BigRational::new(BigInt::one(), 3.into()));
-    let (part, error) = fixed.inverse_tanh(&z);
-    let (ln_two, other_error) = fixed.inverse_tanh(&third);
-    let sum: BigInt = (part + ln_two * exponent) * 2;
-    let error = 2 * (error + 2 + (other_error + 2) * exponent.unsigned_abs());
+    // x / 2^exponent is a / b, between 1/2 and 1.
+    let (a, b) = (x.mantissa(), BigInt::one() << x.mantissa().bits());
+    let z = ((a - &b) << fixed.0) / (a + b);
+    let (mut sum, mut error) = fixed.inverse_tanh(&z);
+    (sum, error) = (sum * 2, 2 * error + 4);
+    if exponent != 0 {
+        let (ln_two, ln_two_error) = fixed.ln_two();
+        sum += ln_two * exponent;
+        error += ln_two_error * exponent.unsigned_abs();
+    }
     fixed.bounds(&sum, error)
+}
+
+/// What a number is after taking it from one.
+fn complement(number: Dyadic) -> Dyadic {
+    Dyadic::from(1).sub(&number)
+}
+
+fn greater(one: Dyadic, other: Dyadic) -> Dyadic {
+    if one.compare(&other) == Less {
+        other
+    } else {
+        one
+    }
 }
 
 impl Exact {
     /// 1 - e^-x, for x ≥ 0.
     pub(crate) fn decay(&self) -> Self {
-        let one = BigRational::one;
-        self.increasing(1, |x, bits| {
-            let [low, high] = exp_minus(&x.clone().max(BigRational::zero()), bits);
-            [
-                one() - high.min(one()),
-                one() - low.max(BigRational::zero()),
-            ]
-        })
+        let [decay] = self.increasing(1, |x, bits| [decay(exp_minus(x, bits))]);
+        decay
     }
 
-    /// x - (1 - e^-x), for x ≥ 0.
-    pub(crate) fn lag(&self) -> Self {
+    /// 1 - e^-x, and x - (1 - e^-x), for x ≥ 0.
+    pub(crate) fn decay_and_lag(&self) -> [Self; 2] {
         self.increasing(2, |x, bits| {
-            let x = x.clone().max(BigRational::zero());
-            let behind = &x - BigRational::one();
-            exp_minus(&x, bits).map(|power| (power + &behind).max(BigRational::zero()))
+            let power = exp_minus(x, bits);
+            let behind = x.clone().sub(&Dyadic::from(1));
+            let lag = power.clone().map(|power| power.add(&behind));
+            [decay(power), lag.map(|end| greater(end, Dyadic::zero()))]
         })
     }
 
     /// -ln (1 - x), for x between 0 and 1: anything if x may be 1.
     pub(crate) fn undecay(&self) -> Self {
-        let one = BigRational::one();
-        if self.enclosure().is_some_and(|(_, hi)| hi >= one) {
+        let is_below_one = |end: &Dyadic| end.compare(&Dyadic::from(1)) == Less;
+        if !self.ends().is_some_and(|[_, high]| is_below_one(&high)) {
             return Self::unknown(self.precision());
         }
-        self.increasing(1, |x, bits| {
-            let [low, high] = ln(&(&one - x), bits);
-            [-high, -low]
-        })
+        let [undecay] = self.increasing(1, |x, bits| {
+            let [low, high] = ln(&complement(x.clone()), bits);
+            [[-high, -low]]
+        });
+        undecay
     }
 
-    /// The value of an increasing function that goes as such a power of the number
-    /// where that is small, given its bounds at a point to within about 2^-bits.
-    fn increasing(
+    /// The values, for a number that is not negative, of increasing functions that go
+    /// as such a power of it or a lower one where that is small, given their bounds at
+    /// a point to within about 2^-bits.
+    fn increasing<const N: usize>(
         &self,
-        power: u32,
-        bounds: impl Fn(&BigRational, u32) -> [BigRational; 2],
-    ) -> Self {
+        power: i64,
+        bounds: impl Fn(&Dyadic, u32) -> [[Dyadic; 2]; N],
+    ) -> [Self; N] {
         let bits = self.precision();
-        let Some((lo, hi)) = self.enclosure() else {
-            return self.clone();
+        let Some([low, high]) = self.ends().filter(|[_, high]| high.sign() == Greater) else {
+            return [(); N].map(|()| self.clone());
         };
-        if hi.is_zero() {
-            return self.clone();
-        }
-        let small = hi.denom().bits().saturating_sub(hi.numer().bits());
-        let all = bits + power * u32::try_from(small).unwrap_or(u32::MAX / 4);
-        let [least, most] = bounds(&hi, all);
-        let least = if lo == hi {
-            least
-        } else {
-            bounds(&lo, all)[0].clone()
+        let small = power * (-high.top()).max(0);
+        let all = bits + u32::try_from(small).unwrap_or(u32::MAX / 4);
+        let most = bounds(&high, all);
+        let least = match low.compare(&high) {
+            Less => bounds(&greater(low, Dyadic::zero()), all),
+            _ => most.clone(),
         };
-        Self::enclosing([least, most], bits)
+        let mut ends = least.into_iter().zip(most);
+        [(); N].map(|()| match ends.next() {
+            Some(([low, _], [_, high])) => Self::spanning([low, high], bits),
+            None => Self::unknown(bits),
+        })
     }
+}
+
+/// Bounds of 1 - e^-x, given those of e^-x.
+fn decay([low, high]: [Dyadic; 2]) -> [Dyadic; 2] {
+    let least = greater(complement(high), Dyadic::zero());
+    [least, complement(greater(low, Dyadic::zero()))]
 }
 
 #[cfg(test)]
 mod tests {
+    use num_rational::BigRational;
     use num_traits::ToPrimitive;
     use proptest::prelude::*;
 
     use super::*;
-    use crate::scalar::Number;
+    use crate::scalar::{Number, Scalar};
 
     fn exact(text: &str) -> Exact {
         Exact::from_number(&text.parse::<Number>().unwrap(), 128)
@@ -197,6 +217,20 @@ mod tests {
             let [high, low] = series(&x).map(|power| BigRational::one() - power);
             prop_assert!(lo <= high && low <= hi);
             prop_assert!((hi - lo).to_f64().unwrap() < 1e-36);
+        }
+
+        /// The lag, too, which goes as the square: to as many digits of itself.
+        #[test]
+        fn the_lag_is_that_of_the_series(n in 1..2000_i64, shift in 0..80) {
+            let x = BigRational::new(n.into(), BigInt::from(256) << shift);
+            let [decay, lag] = Exact::from_rational(x.clone(), 128).decay_and_lag();
+            let (lo, hi) = lag.enclosure().unwrap();
+            let [high, low] = series(&x).map(|power| BigRational::one() - power);
+            prop_assert!(lo <= &x - low && &x - high <= hi);
+            prop_assert!(((hi - &lo) / lo).to_f64().unwrap() < 1e-36);
+            let (lo, hi) = decay.enclosure().unwrap();
+            let [high, low] = series(&x).map(|power| BigRational::one() - power);
+            prop_assert!(lo <= high && low <= hi);
         }
 
         /// The one undoes the other, however small the number.

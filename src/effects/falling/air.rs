@@ -118,7 +118,7 @@ impl<S: Fades> Trajectory<S> for Drift<S> {
 
     fn at(&self, time: &S) -> Vec2<S> {
         let x = time.clone() * &self.rate;
-        let [fast, slow] = [x.decay(), x.lag()].map(|part| part / &self.rate);
+        let [fast, slow] = x.decay_and_lag().map(|part| part / &self.rate);
         let offset = self.offset.moved(&self.velocity, &fast);
         offset.moved(&self.tends, &slow)
     }
@@ -127,6 +127,14 @@ impl<S: Fades> Trajectory<S> for Drift<S> {
         let lost = (time.clone() * &self.rate).decay();
         self.velocity
             .moved(&self.tends.minus(&self.velocity), &lost)
+    }
+
+    fn after(&self, time: &S) -> Self {
+        Self {
+            offset: self.at(time),
+            velocity: self.velocity_at(time),
+            ..self.clone()
+        }
     }
 
     fn component(&self, of: impl Fn(&Vec2<S>) -> S) -> Fading<S> {
@@ -163,10 +171,12 @@ impl<S: Fades> Trajectory<S> for Drift<S> {
         }
     }
 
-    /// The greater one of |v| t and |u| t.
+    /// |v| t + |u| r, where r is less than t and than k t²/2.
     fn range(&self, time: Interval) -> Interval {
         let [from, to] = [&self.velocity, &self.tends].map(length);
-        Interval::new(from.lo().min(to.lo()), from.hi().max(to.hi())) * time
+        let slow = self.rate.hull() * time.square() / Interval::point(2.0);
+        let slow = Interval::new(0.0, slow.hi().min(time.hi()));
+        from * time + to * slow
     }
 }
 

@@ -69,6 +69,14 @@ impl<S: Roots> Trajectory<S> for Arc<S> {
         self.velocity.moved(&self.half_pull, &twice)
     }
 
+    fn after(&self, time: &S) -> Self {
+        Self {
+            offset: self.at(time),
+            velocity: self.velocity_at(time),
+            ..self.clone()
+        }
+    }
+
     fn component(&self, of: impl Fn(&Vec2<S>) -> S) -> Quadratic<S> {
         self.quadratic(of)
     }

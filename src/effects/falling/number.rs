@@ -116,8 +116,8 @@ impl<S: Decay, M: Marker> Decay for Falling<S, M> {
 }
 
 impl<S: Fades, M: Marker> Fades for Falling<S, M> {
-    fn lag(&self) -> Self {
-        Self::new(self.0.lag())
+    fn decay_and_lag(&self) -> [Self; 2] {
+        self.0.decay_and_lag().map(Self::new)
     }
 
     fn descent(f: &Fading<Self>, zeros: usize) -> Result<Option<Descent<Self>>, S::Doubt> {

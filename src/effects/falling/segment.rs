@@ -10,6 +10,13 @@
 //! first of all these is the meeting: the points no further than r from a segment
 //! are convex, so that a line is crossed at the foot, and a circle beyond it,
 //! before anything else is.
+//!
+//! All that a disc can meet lies between the lines. One that starts outside *enters*
+//! there, when it crosses its line: at the foot, which is the meeting; or beyond an
+//! end, which it then may meet later, unless it is as far as r past that already and
+//! only goes further. Numbers that round see the ends from where it enters, not from
+//! where it starts: a disc that comes down along a wall passes its far end at a
+//! tangent, nearly, and would meet it by rounding while it is beside the interior.
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
@@ -52,8 +59,8 @@ impl Touched {
     }
 }
 
-/// When a disc, of which the way is seen from the wall's first end point, meets
-/// a wall.
+/// When a disc of a radius, of which the way is seen from the wall's first end point,
+/// meets a wall.
 pub(super) fn meet<S: Scalar, T: Trajectory<S>>(
     path: &T,
     radius: &S,
@@ -66,25 +73,20 @@ pub(super) fn meet<S: Scalar, T: Trajectory<S>>(
         wall,
         side: path.offset().cross(&wall.along),
     };
-    let sides = [Less, Greater];
-    for side in sides {
-        if way.parts_for_good(side, touched)? {
-            return Ok(None);
-        }
+    let mut lines = [way.line(Less, touched)?, way.line(Greater, touched)?];
+    lines.sort_by_key(|line| line.sign == Less);
+    let [own, other] = lines;
+    if own.sign == Less {
+        return way.meet_between(&[own, other], touched);
     }
-    let mut first = None;
-    for side in sides {
-        let met = way.meet_line(side, touched)?;
-        first = earlier(first, met)?;
+    if own.gap.only_grows(own.zeros)? {
+        return Ok(None);
     }
-    for end in [End::From, End::To]
-        .into_iter()
-        .filter(|end| !touched.bars(*end))
-    {
-        let met = way.meet_end(end, touched.at(end), first.as_ref())?;
-        first = earlier(first, met)?;
+    match way.enter(&own, touched)? {
+        Entry::Never => Ok(None),
+        Entry::Interior(met) => Ok(Some(met)),
+        Entry::Beyond(end, time) => way.meet_beyond(end, time, &other, touched),
     }
-    Ok(first)
 }
 
 /// When a disc, seen the same way, gets to the end of a wall along which it moves.
@@ -130,16 +132,26 @@ struct Way<'a, S, T> {
 
 /// The gap on one side of a wall at the start, times the wall's length: its sign,
 /// and how many derivatives are known to be zero if it is.
-struct Known<G> {
+struct Line<G> {
     gap: G,
+    side: Ordering,
     sign: Ordering,
     zeros: usize,
+}
+
+/// How a disc gets between the lines of a wall.
+enum Entry<S> {
+    Never,
+    /// It touches the interior.
+    Interior(Encounter<S>),
+    /// Past this end, after some time.
+    Beyond(End, S),
 }
 
 impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
     /// What is known of the gap on one side, also by construction where the disc
     /// touches the interior.
-    fn gap(&self, side: Ordering, touched: Touched) -> Result<Known<T::Line>, S::Doubt> {
+    fn line(&self, side: Ordering, touched: Touched) -> Result<Line<T::Line>, S::Doubt> {
         let gap = self.path.component(|power| power.cross(&self.wall.along));
         let gap = if side == Less { gap.negated() } else { gap };
         let gap = gap.raised(&-(self.radius.clone() * &self.wall.length));
@@ -149,30 +161,79 @@ impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
         };
         let skims = touched == Touched::Interior { skims: true };
         let zeros = if skims { 2 } else { 1 };
-        Ok(Known { gap, sign, zeros })
+        Ok(Line {
+            gap,
+            side,
+            sign,
+            zeros,
+        })
     }
 
-    /// Whether the disc is on one side, and never comes nearer to the line: so it
-    /// does not meet the end points either.
-    fn parts_for_good(&self, side: Ordering, touched: Touched) -> Result<bool, S::Doubt> {
-        let Known { gap, sign, zeros } = self.gap(side, touched)?;
-        Ok(sign != Less && gap.only_grows(zeros)?)
-    }
-
-    /// When the disc, coming from one side, touches the interior.
-    fn meet_line(&self, side: Ordering, touched: Touched) -> Met<S> {
-        let Known { gap, sign, zeros } = self.gap(side, touched)?;
-        let met = match sign {
-            Greater => gap.descent(0)?,
-            Equal => gap.meet_from_contact(zeros)?,
-            Less => self.descent_from_within(&gap, side)?,
+    /// How the disc gets between the lines, if it starts on one or outside.
+    fn enter(&self, line: &Line<T::Line>, touched: Touched) -> Result<Entry<S>, S::Doubt> {
+        let met = match line.sign {
+            Greater => line.gap.descent(0)?,
+            Equal | Less => line.gap.meet_from_contact(line.zeros)?,
         };
-        let Some(met) = met else { return Ok(None) };
+        let Some(met) = met else {
+            return Ok(Entry::Never);
+        };
         match touched {
-            Touched::Interior { .. } if sign == Equal && met.overlap => return Ok(Some(met)),
+            Touched::Interior { .. } if line.sign == Equal && met.overlap => {
+                return Ok(Entry::Interior(met));
+            }
             // An end point is touched, not the interior.
-            Touched::End { .. } if met.overlap => return Ok(None),
+            Touched::End { end, .. } if met.overlap => return Ok(Entry::Beyond(end, met.delay)),
             _ => {}
+        }
+        Ok(match self.wall.nearest(&self.path.at(&met.delay))? {
+            Nearest::Foot(end) => Entry::Interior(Encounter { end, ..met }),
+            Nearest::Beyond(end) => Entry::Beyond(end, met.delay),
+        })
+    }
+
+    /// What a disc meets that has got between the lines, past an end, at a time.
+    fn meet_beyond(&self, end: End, time: S, other: &Line<T::Line>, touched: Touched) -> Met<S> {
+        let after = self.path.after(&time);
+        if self.goes_on_past(&after, end) {
+            return Ok(None);
+        }
+        let first = self.meet_line(other, touched)?;
+        let entry = S::ROUNDS.then_some((after, time));
+        self.meet_ends(touched, entry.as_ref(), first)
+    }
+
+    /// What a disc meets that starts between the lines.
+    fn meet_between(&self, lines: &[Line<T::Line>; 2], touched: Touched) -> Met<S> {
+        let nearest = self.wall.nearest(self.path.offset());
+        if let Ok(Nearest::Beyond(end)) = nearest
+            && self.goes_on_past(self.path, end)
+        {
+            return Ok(None);
+        }
+        let [one, other] = lines.each_ref().map(|line| self.meet_line(line, touched));
+        self.meet_ends(touched, None, earlier(one?, other?)?)
+    }
+
+    /// Whether it is certain that a disc on a path is past an end by its radius, and
+    /// never comes back.
+    fn goes_on_past(&self, path: &T, end: End) -> bool {
+        let along = path.component(|power| power.dot(&self.wall.along));
+        let reach = self.radius.clone() * &self.wall.length;
+        let gap = match end {
+            End::From => along.negated().raised(&-reach),
+            End::To => along.raised(&-(reach + &self.wall.length_squared)),
+        };
+        matches!(gap.sign(0), Ok(Equal | Greater)) && matches!(gap.only_grows(1), Ok(true))
+    }
+
+    /// When the disc touches the interior, coming back to a line that it is past.
+    fn meet_line(&self, line: &Line<T::Line>, touched: Touched) -> Met<S> {
+        let Some(met) = self.descent_from_within(line)? else {
+            return Ok(None);
+        };
+        if matches!(touched, Touched::End { .. }) && met.overlap {
+            return Ok(None);
         }
         Ok(match self.wall.nearest(&self.path.at(&met.delay))? {
             Nearest::Foot(end) => Some(Encounter { end, ..met }),
@@ -182,8 +243,8 @@ impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
 
     /// When a disc comes back that is nearer to the line than its radius, or on
     /// the other side. If it overlaps the wall, that is now, unless it parts.
-    fn descent_from_within(&self, gap: &T::Line, side: Ordering) -> Met<S> {
-        let is_here = self.side.sign()? == side
+    fn descent_from_within(&self, Line { gap, side, .. }: &Line<T::Line>) -> Met<S> {
+        let is_here = self.side.sign()? == *side
             && matches!(self.wall.nearest(self.path.offset())?, Nearest::Foot(_));
         if is_here && gap.sign(1)? == Less {
             return Ok(Some(Encounter::inside()));
@@ -195,18 +256,49 @@ impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
         Ok(back)
     }
 
+    /// The first of a meeting and those with end points: as seen from where the disc
+    /// gets between the lines, if that is given.
+    fn meet_ends(
+        &self,
+        touched: Touched,
+        entry: Option<&(T, S)>,
+        mut first: Option<Encounter<S>>,
+    ) -> Met<S> {
+        let ends = [End::From, End::To].into_iter();
+        for end in ends.filter(|end| !touched.bars(*end)) {
+            let point = self.wall.end(end).minus(&self.wall.from);
+            let path = self.path.seen_from(&point);
+            let met = match (touched.at(end), entry) {
+                (Some(true), _) => circle::leave(&path)?,
+                (Some(false), _) => circle::meet_again(&path)?,
+                (None, Some((late, time))) => self.meet_late(&late.seen_from(&point), time)?,
+                (None, None) => self.meet_end(&path, end, first.as_ref())?,
+            };
+            first = earlier(first, met.map(|met| met.at(end)))?;
+        }
+        Ok(first)
+    }
+
+    /// When the disc touches an end point, seen from a time on at which it may touch
+    /// it at the soonest.
+    fn meet_late(&self, path: &T, time: &S) -> Met<S> {
+        let met = circle::meet(path, self.radius)?;
+        Ok(met.map(|met| match met.overlap {
+            true => Encounter::impact(time.clone()),
+            false => Encounter {
+                delay: met.delay + time,
+                ..met
+            },
+        }))
+    }
+
     /// When the disc touches an end point, if that may be before something else.
-    fn meet_end(&self, end: End, touched: Option<bool>, other: Option<&Encounter<S>>) -> Met<S> {
-        let point = self.wall.end(end).minus(&self.wall.from);
-        let path = self.path.seen_from(&point);
-        let is_later = other.is_some_and(|other| self.is_surely_apart(&path, &other.delay));
-        let met = match touched {
-            Some(true) => circle::leave(&path)?,
-            Some(false) => circle::meet_again(&path)?,
-            None if is_later || self.overlaps_beside(&path, end)? => None,
-            None => circle::meet(&path, self.radius)?,
-        };
-        Ok(met.map(|met| met.at(end)))
+    fn meet_end(&self, path: &T, end: End, other: Option<&Encounter<S>>) -> Met<S> {
+        let is_later = other.is_some_and(|other| self.is_surely_apart(path, &other.delay));
+        if is_later || self.overlaps_beside(path, end)? {
+            return Ok(None);
+        }
+        circle::meet(path, self.radius)
     }
 
     /// Whether the disc overlaps the end point, but the interior is nearer.
@@ -224,5 +316,43 @@ impl<S: Scalar, T: Trajectory<S>> Way<'_, S, T> {
     fn is_surely_apart(&self, path: &T, time: &S) -> bool {
         let range = path.range(time.hull());
         length(path.offset()).lo() > (self.radius.hull() + range).hi()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::air::{Air, Rate};
+    use super::super::medium::{Medium, Vacuum};
+    use super::super::number::Falling;
+    use super::*;
+    use crate::vec2::Vec2;
+
+    const RADIUS: f64 = 0.1;
+
+    fn vector<M>(x: f64, y: f64) -> Vec2<Falling<f64, M>> {
+        Vec2::new(Falling::new(x), Falling::new(y))
+    }
+
+    /// Whether a disc that falls along a wall meets its far end alone, and the wall.
+    fn met_falling<M: Medium<f64>>(pull: f64, drag: &M::Drag) -> [bool; 2] {
+        let (from, to) = (vector(0.0, 0.0), vector(0.0, -4.0));
+        let wall = Segment::new(from, to, to.minus(&from));
+        let centre = vector(RADIUS.next_up(), 1.0);
+        let velocity = vector(-2_f64.powi(-60), 0.0);
+        let path = M::way(centre, velocity, &vector(0.0, -pull), drag);
+        let (radius, barred) = (Falling::new(RADIUS), [false; 2]);
+        let end = circle::meet(&path.seen_from(&to), &radius);
+        let met = meet(&path, &radius, &wall, Touched::Nothing { barred });
+        [end, met].map(|met| met.is_ok_and(|met| met.is_some()))
+    }
+
+    /// The disc nears the line of the wall by 2^-60 a second, so it gets there after 16,
+    /// but passes the wall's end at 4 after √10, or soon thereafter in air. The distance
+    /// from that end comes down to the radius by rounding.
+    #[test]
+    fn past_the_far_end() {
+        assert_eq!(met_falling::<Vacuum>(1.0, &()), [true, false]);
+        let [_, met] = met_falling::<Air>(64.0, &Rate(Falling::new(1.0 / 64.0)));
+        assert!(!met);
     }
 }

@@ -27,6 +27,10 @@ pub trait Trajectory<S: Scalar>: Sized {
     /// How fast it is then.
     fn velocity_at(&self, time: &S) -> Vec2<S>;
 
+    /// The rest of the way, from a time on.
+    #[must_use]
+    fn after(&self, time: &S) -> Self;
+
     /// A linear function of where the centre is, given for vectors.
     fn component(&self, of: impl Fn(&Vec2<S>) -> S) -> Self::Line;
 
