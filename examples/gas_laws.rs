@@ -68,7 +68,7 @@ struct Measured {
 }
 
 fn measure(scene: &Scene, count: usize) -> Measured {
-    let end = Number::from(1_000_000_000);
+    let end = Number::from(20_000);
     let mut playback = Playback::<f64>::until(scene, &end, ()).expect("a scene that runs");
     // From the lattice to equilibrium.
     playback.impacts().take(count / 4).for_each(drop);

@@ -33,7 +33,7 @@ use crate::impact::Impact;
 use crate::scalar::{Doubt, Number, Undecided};
 use crate::scene::Scene;
 use crate::simulation::Algorithm;
-use crate::support::{Unsupported, check_number, check_support};
+use crate::support::{Unsupported, check_distances, check_number, check_support};
 use crate::timeline::{Accumulation, Setup};
 use crate::world::World;
 
@@ -78,6 +78,7 @@ impl<S: Arithmetic> Playback<S> {
         precision: S::Precision,
     ) -> Result<Self, PlaybackError> {
         check_number::<S>("until", end)?;
+        check_distances(scene, &end.to_rational())?;
         Self::start(scene, S::from_number(end, precision), precision)
     }
 

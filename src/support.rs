@@ -1,10 +1,18 @@
 //! What of a scene cannot be simulated, told before anything runs (D19).
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
 use crate::arithmetic::Arithmetic;
 use crate::effects;
 use crate::scalar::Number;
 use crate::scene::{Disc, Mass, Restitution, Scene};
 use crate::simulation::Algorithm;
+
+/// So many doublings of a side may a disc get away from a periodic cell on its own: each
+/// side it crosses costs time.
+const FARTHEST: u32 = 19;
 
 /// Something that a scene asks for and that is not to be had.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -18,6 +26,12 @@ pub enum Unsupported {
         place: &'static str,
         /// With what it is not.
         circumstance: String,
+    },
+    /// A disc that may get too far from the cell of a periodic scene.
+    #[error("{place}: expected to keep within 2^{FARTHEST} sides of the periodic cell")]
+    Far {
+        /// The disc.
+        place: String,
     },
     /// A number that is too large or too small for an arithmetic.
     #[error(
@@ -69,10 +83,31 @@ fn check_periodic<S: Arithmetic>(scene: &Scene, algorithm: Algorithm) -> Result<
     if let Some((_, place)) = bent.into_iter().find(|(asked, _)| *asked) {
         return Err(refused(place, String::from("in a periodic scene")));
     }
+    check_distances(scene, &scene.frame().total())?;
     let sides = cell.sides();
     sides
         .iter()
         .try_for_each(|side| check_number::<S>("periodic", side))
+}
+
+/// How far the discs of a periodic scene may get until a time.
+pub(crate) fn check_distances(scene: &Scene, until: &BigRational) -> Result<(), Unsupported> {
+    let Some(cell) = scene.periodic() else {
+        return Ok(());
+    };
+    let most = BigRational::from_integer(BigInt::one() << FARTHEST);
+    let limits = cell.sides().map(|side| side.to_rational() * &most);
+    let is_far = |disc: &Disc, axis: usize| {
+        let [place, speed] = [&disc.position[axis], &disc.velocity[axis]];
+        place.to_rational().abs() + speed.to_rational().abs() * until > limits[axis]
+    };
+    let mut discs = scene.discs().iter();
+    match discs.position(|disc| is_far(disc, 0) || is_far(disc, 1)) {
+        Some(index) => Err(Unsupported::Far {
+            place: format!("discs[{index}]"),
+        }),
+        None => Ok(()),
+    }
 }
 
 /// The frame algorithms take all effects. So does the timeline, but for drag in

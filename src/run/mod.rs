@@ -16,7 +16,7 @@ use crate::impact::Impact;
 use crate::scalar::{Number, Scalar, Undecided};
 use crate::scene::Scene;
 use crate::simulation::Algorithm;
-use crate::support::{Unsupported, check_number, check_support};
+use crate::support::{Unsupported, check_distances, check_number, check_support};
 use crate::symmetry::symmetries;
 use crate::timeline::{BroadPhase, Simultaneous};
 use attempt::Attempt;
@@ -129,6 +129,7 @@ pub fn run<S: Arithmetic>(
     check_rule(scene, options)?;
     if let Some(until) = &options.until {
         check_number::<S>("until", until)?;
+        check_distances(scene, &until.to_rational())?;
     }
     // What proves nothing has no use for them.
     let symmetries = match algorithm {

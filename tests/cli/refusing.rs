@@ -204,3 +204,36 @@ fn every_command_has_an_example() {
         assert!(text.contains("Example"), "{command:?}");
     }
 }
+
+#[test]
+fn what_a_plane_that_repeats_does_not_have_is_told() {
+    let name = scene("around.json");
+    let told = |arguments: &[&str]| {
+        let (code, message) = ending(&[&["run", &name], arguments].concat());
+        assert_eq!(code, 2, "{message}");
+        message.trim_end().rsplit(": ").next().map(str::to_owned)
+    };
+    let single = told(&["--algorithm", "single"]);
+    assert_eq!(
+        single.as_deref(),
+        Some("not available in the algorithm single")
+    );
+    let at_once = told(&["--simultaneous", "reflect"]);
+    assert_eq!(
+        at_once.as_deref(),
+        Some("not available with the rule reflect")
+    );
+    let cell = r#""periodic": {"from": [0, 0], "to": [9, 9]},"#;
+    assert_eq!(
+        refusal(one_disc(r#""position": [0, "1e7"]"#, cell)),
+        "discs[0]: expected to keep within 2^19 sides of the periodic cell"
+    );
+    let falling = one_disc(
+        DISC,
+        r#""periodic": {"from": [0, 0], "to": [9, 9]}, "effects": {"gravity": [0, -1]},"#,
+    );
+    assert_eq!(
+        refusal(falling),
+        "effects.gravity: not available in a periodic scene"
+    );
+}

@@ -263,3 +263,19 @@ fn the_timeline_has_no_space_partition() {
     assert_eq!(code, 2);
     assert!(message.contains("--broad-phase bsp: expected all-pairs or grid"));
 }
+
+/// Two discs on their way around a cell: see the notes of the scene.
+#[test]
+fn around_a_plane_that_repeats() {
+    for arithmetic in ["f64", "filtered", "exact"] {
+        let log = run(&[&scene("around.json"), "--arithmetic", arithmetic]);
+        let met = [(2.0, "d0 d1".into()), (10.0, "d0 d1".into())];
+        assert_eq!(meetings(&log), met);
+        let images = log.events.iter().map(|event| event.image);
+        assert!(images.eq([Some([-1, 0]), Some([0, 0])]));
+    }
+    let generated = results(&["generate", "gas", "--periodic", "--count", "9"]);
+    let scratch = Scratch::new();
+    let log = run(&[&scratch.write("gas.json", generated)]);
+    assert!(log.events.iter().all(|event| event.image.is_some()));
+}

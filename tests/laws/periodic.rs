@@ -235,3 +235,43 @@ proptest! {
         prop_assert_eq!(all(&shifted.end), all(&truth.end));
     }
 }
+
+/// After 20 000 impacts in a dense gas: the squares of the distances of all pairs, of
+/// the copies that are nearest, against the diameter.
+#[cfg(feature = "cli")]
+fn closest<S: Arithmetic<Precision = ()>>() -> f64 {
+    use carom::playback::Playback;
+
+    let scene = carom::scene::generate::periodic_gas(3, 200, 0.65).expect("a scene");
+    let side = scene.periodic().expect("a cell").sides()[0].to_f64();
+    let end = Number::from(10_000);
+    let mut playback = Playback::<S>::until(&scene, &end, ()).expect("a scene that runs");
+    let mut closest = f64::INFINITY;
+    for _ in 0..10 {
+        assert_eq!(playback.impacts().take(2000).count(), 2000);
+        let discs = playback.discs();
+        for (index, one) in discs.iter().enumerate() {
+            for other in &discs[..index] {
+                let offset = other.position.minus(&one.position);
+                let [x, y] = [offset.x, offset.y].map(|part| {
+                    let part = part.to_f64();
+                    part - side * (part / side).round()
+                });
+                closest = closest.min(x.hypot(y));
+            }
+        }
+    }
+    closest
+}
+
+/// Places are up to some 60 from the origin, where binary64 rounds by 7e-15.
+#[cfg(feature = "cli")]
+#[test]
+fn nothing_gets_into_anything() {
+    assert!(closest::<f64>() > 1.0 - 1e-13, "{}", closest::<f64>());
+    assert!(
+        closest::<Filtered>() > 1.0 - 1e-13,
+        "{}",
+        closest::<Filtered>()
+    );
+}

@@ -19,6 +19,10 @@ const SLACK: f64 = 1.0 + 1e-9;
 /// No more cells than so many for each disc.
 const CELLS: f64 = 2.0;
 
+/// No more cells on a side than so many: a disc may get many sides away, and cells are
+/// counted up to 2^31.
+const MOST: f64 = 2048.0;
+
 /// A copy of a disc, so many rectangles further on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(in crate::timeline) struct Image {
@@ -63,7 +67,9 @@ struct Place {
 
 impl Axis {
     fn new(side: f64, size: f64, largest: f64) -> Self {
-        let count = (side / size).floor().max(1.0);
+        let count = (side / size).floor();
+        // Also where these are beyond all bounds, which leaves no number.
+        let count = if count >= 1.0 { count.min(MOST) } else { 1.0 };
         let size = side / count;
         let reach = 2.0 * largest / size + 2.0 * MARGIN;
         Self {
