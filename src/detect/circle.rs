@@ -77,9 +77,7 @@ pub fn meet_circle<S: Scalar>(
         return Ok(None);
     }
     let speed_squared = velocity.norm_squared();
-    let moment = offset.cross(velocity);
-    let strength = speed_squared.clone() * reach;
-    let discriminant = S::difference_of_products(&strength, reach, &moment, &moment);
+    let discriminant = discriminant(offset, velocity, reach, &speed_squared);
     Ok(match discriminant.sign()? {
         Less => None,
         Equal => Some(Encounter::graze(-approach / speed_squared)),
@@ -90,6 +88,29 @@ pub fn meet_circle<S: Scalar>(
             &discriminant,
         )?),
     })
+}
+
+/// D. Where nothing rounds, but an enclosed velocity is along an axis, it is
+/// (v·v) (R² - d²), with that coordinate of the offset that does not change: so it is
+/// known to be zero for a tangent pass at a known distance.
+#[inline]
+fn discriminant<S: Scalar>(
+    offset: &Vec2<S>,
+    velocity: &Vec2<S>,
+    reach: &S,
+    speed_squared: &S,
+) -> S {
+    let is_along = |across: &S| !S::ROUNDS && across.is_surely_zero();
+    let beside = |distance: &S| S::difference_of_products(reach, reach, distance, distance);
+    if is_along(&velocity.x) {
+        return beside(&offset.x) * speed_squared;
+    }
+    if is_along(&velocity.y) {
+        return beside(&offset.y) * speed_squared;
+    }
+    let moment = offset.cross(velocity);
+    let strength = speed_squared.clone() * reach;
+    S::difference_of_products(&strength, reach, &moment, &moment)
 }
 
 /// The smaller root of the quadratic, or now where it has passed already.

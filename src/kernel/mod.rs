@@ -87,6 +87,14 @@ pub trait Kernel: Scalar {
         Ok(None)
     }
 
+    /// Where a disc is that has got to the interior of a wall, which its numbers may
+    /// not show.
+    #[inline]
+    fn place_at_wall(disc: &Disc<Self>, wall: &Segment<Self>) -> Vec2<Self> {
+        let _ = wall;
+        disc.position.clone()
+    }
+
     /// Bounds of how long a disc that has just hit a wall bounces on it, if nothing else
     /// happens, and each impact leaves so much of its speed.
     #[inline]

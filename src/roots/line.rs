@@ -12,9 +12,11 @@
 //! | + | - | + | before the turn, if it is below zero there |
 //! | - | + | - | after the turn, if it is above zero there |
 //!
-//! Where it is zero at first and rises, it counts as positive.
+//! Where it is zero at first and rises, it counts as positive. The sign of b is asked
+//! only where it makes a difference: a speed that is exactly nothing may be enclosed,
+//! and have no sign.
 
-use std::cmp::Ordering::{self, Greater, Less};
+use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::chain::doubt;
 use super::enclosure::Place;
@@ -39,12 +41,26 @@ impl<S: Fades> Fading<S> {
     pub(super) fn fall(&self, zeros: usize) -> Result<Option<Stretch<S>>, S::Doubt> {
         let [one, first, last, ..] = &self.terms;
         let is_above = zeros > 0 || one.sign()? == Greater;
-        Ok(match (first.sign()?, last.sign()?) {
-            (_, Less) if is_above => Some([None, None]),
-            (Less, Greater) if is_above => self.turning(Less)?.map(|turn| [None, Some(turn)]),
-            (Greater, Less) => self.turning(Greater)?.map(|turn| [Some(turn), None]),
+        Ok(match (is_above, last.sign()?) {
+            (true, Less) => Some([None, None]),
+            (true, Greater) if matches!(first.sign(), Ok(Equal | Greater)) => None,
+            (true, Greater) if self.stays_above() => None,
+            (true, Greater) if first.sign()? == Less => {
+                self.turning(Less)?.map(|turn| [None, Some(turn)])
+            }
+            (false, Less) if first.sign()? == Greater => {
+                self.turning(Greater)?.map(|turn| [Some(turn), None])
+            }
             _ => None,
         })
+    }
+
+    /// Whether bounds tell that a gap which grows in the end never gets to zero, though
+    /// it may not grow at first: since s < 1 / k.
+    fn stays_above(&self) -> bool {
+        let [one, first, ..] = &self.terms;
+        let least = one.hull() + first.hull() / self.rate.hull();
+        least.lo() > 0.0
     }
 
     /// When the slope is zero, if the gap is of some sign there.

@@ -97,6 +97,9 @@ impl<S: Timed> Timeline<S> {
         for changed in self.movable(first, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
         }
+        if !S::IS_STRAIGHT && !overlap {
+            self.flights.world.touch_wall(first, feature);
+        }
         let time = time.value();
         let place = self.flights.place(first, feature, &time, overlap);
         let contact = self.flights.world.collide(first, feature, place)?;

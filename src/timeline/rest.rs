@@ -68,6 +68,9 @@ impl<S: Timed> Timeline<S> {
         for changed in self.movable(disc, feature) {
             self.flights.bring(changed, &time, moment, self.turn);
         }
+        if !meeting.overlap {
+            self.flights.world.touch_wall(disc, feature);
+        }
         let before = std::mem::replace(&mut self.now, time.value());
         let stays = self.now.compare(&before).is_ok_and(Ordering::is_eq);
         self.pauses = if stays { self.pauses + 1 } else { 0 };

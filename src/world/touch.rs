@@ -67,6 +67,15 @@ impl<S: Kernel> World<S> {
         touched.find(|feature| self.is_part_of(*feature, obstacle))
     }
 
+    /// Takes note that a disc has got to the interior of a wall, if that is what it
+    /// has met.
+    pub(crate) fn touch_wall(&mut self, disc: usize, feature: Feature) {
+        if let Feature::Wall(wall) = feature {
+            let body = &mut self.discs[disc];
+            body.position = S::place_at_wall(body, &self.walls[wall as usize].segment);
+        }
+    }
+
     /// The obstacles that a disc touches by construction.
     pub(crate) fn touched(&self, disc: usize) -> impl Iterator<Item = Obstacle> {
         let features = self.contacts.of(disc).iter();

@@ -120,18 +120,22 @@ impl<S: Scalar> LineGap<S> for Quadratic<S> {
     }
 }
 
+/// Which way it goes at first is asked only where that makes a difference: a speed that
+/// is exactly nothing may be enclosed, and have no sign.
 impl<S: Scalar> Quadratic<S> {
     /// When what is above zero comes to zero.
     fn descent_from_above(&self) -> Met<S> {
         let bends = self.a.sign()?;
-        if bends != Less && self.b.sign()? != Less {
+        if bends != Less && matches!(self.b.sign(), Ok(Equal | Greater)) {
             return Ok(None);
         }
         let discriminant = self.discriminant();
-        match discriminant.sign()? {
-            Less => return Ok(None),
-            Equal => return Ok(Some(Encounter::graze(self.turn()))),
-            Greater => {}
+        let sign = discriminant.sign()?;
+        if sign == Less || bends != Less && self.b.sign()? != Less {
+            return Ok(None);
+        }
+        if sign == Equal {
+            return Ok(Some(Encounter::graze(self.turn())));
         }
         let root = discriminant.sqrt();
         Ok(Some(Encounter::impact(if self.b.to_f64() > 0.0 {
@@ -143,14 +147,14 @@ impl<S: Scalar> Quadratic<S> {
 
     /// When what is below zero comes down to zero, from above.
     fn descent_after_ascent(&self) -> Met<S> {
-        if self.a.sign()? != Less || self.b.sign()? != Greater {
+        if self.a.sign()? != Less || matches!(self.b.sign(), Ok(Less | Equal)) {
             return Ok(None);
         }
         let discriminant = self.discriminant();
-        Ok(match discriminant.sign()? {
-            Greater => Some(Encounter::impact(self.late_root(discriminant.sqrt()))),
-            Less | Equal => None,
-        })
+        if discriminant.sign()? != Greater || self.b.sign()? != Greater {
+            return Ok(None);
+        }
+        Ok(Some(Encounter::impact(self.late_root(discriminant.sqrt()))))
     }
 
     /// b² - 4 a c.

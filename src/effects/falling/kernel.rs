@@ -1,5 +1,7 @@
 //! How bodies meet of which some fall.
 
+use std::cmp::Ordering::{Greater, Less};
+
 use super::Falling;
 use super::circle;
 use super::gap;
@@ -78,6 +80,23 @@ impl<S: Scalar, M: Medium<S>> Kernel for Falling<S, M> {
     ) -> Result<Option<Met<Self>>, S::Doubt> {
         let met = segment::leave(&way(flight).seen_from(&wall.from), wall)?;
         Ok(met.map(|met| Met::after(flight.since, met)))
+    }
+
+    /// Exactly its radius from a wall that is along an axis: so it is known whether it
+    /// touches the line of another one too. Rounded numbers stay as they are.
+    fn place_at_wall(disc: &Disc<Self>, wall: &Segment<Self>) -> Vec2<Self> {
+        let Vec2 { x, y } = disc.position.clone();
+        let beside = |place: &Self, line: &Self| match (place.clone() - line).sign() {
+            Ok(Greater) => line.clone() + &disc.radius,
+            Ok(Less) => line.clone() - &disc.radius,
+            _ => place.clone(),
+        };
+        match [&wall.along.x, &wall.along.y].map(Self::is_surely_zero) {
+            _ if S::ROUNDS => Vec2::new(x, y),
+            [true, _] => Vec2::new(beside(&x, &wall.from.x), y),
+            [_, true] => Vec2::new(x.clone(), beside(&y, &wall.from.y)),
+            _ => Vec2::new(x, y),
+        }
     }
 
     fn bouncing(flight: Flight<'_, Self>, wall: &Segment<Self>, kept: &Self) -> Option<[Self; 2]> {

@@ -79,7 +79,7 @@ pub(super) fn meet<S: Scalar, T: Trajectory<S>>(
     if own.sign == Less {
         return way.meet_between(&[own, other], touched);
     }
-    if own.gap.only_grows(own.zeros)? {
+    if matches!(own.gap.only_grows(own.zeros), Ok(true)) {
         return Ok(None);
     }
     match way.enter(&own, touched)? {
