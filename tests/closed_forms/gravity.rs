@@ -345,6 +345,23 @@ fn along_a_floor_of_pieces() {
     assert_end(&outcome, &[["-8", "1", "-1", "0"]]);
 }
 
+/// It bounces after √2, 3√2, 5√2 and 7√2 on one floor, and after 9√2 = 12.7 on another
+/// one in the same line, which it touches each time, but for the gap from 10 to 12.
+#[test]
+fn from_floor_to_floor() {
+    let scene = falling("13")
+        .disc(Disc::at([0, 3], 1).velocity([1, 0]))
+        .wall([-10, 0], [10, 0])
+        .wall([12, 0], [20, 0]);
+    let outcome = exactly(&built(scene));
+    let floors = ["d0 w0", "d0 w0", "d0 w0", "d0 w0", "d0 w1"];
+    assert_eq!(names(&outcome.impacts), floors);
+    for (n, impact) in (0..).zip(&outcome.impacts) {
+        let expected = f64::from(2 * n + 1) * 2_f64.sqrt();
+        assert!((impact.time.to_f64() - expected).abs() < 1e-14 * expected);
+    }
+}
+
 /// At rest beside a wall, it falls along it, past its end: no impact, ever.
 #[test]
 fn along_a_wall_and_past_its_end() {

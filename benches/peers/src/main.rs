@@ -1,7 +1,7 @@
 //! carom's timeline beside other programs, on the same scenes and in one run.
 //!
 //! ```text
-//! cargo run --release --manifest-path benches/peers/Cargo.toml
+//! cargo run --release --manifest-path benches/peers/Cargo.toml -- [gases|frames]
 //! ```
 //!
 //! First the event-driven ones: impacts a second in gases of equal discs in a box.
@@ -41,6 +41,18 @@ const FAST: u64 = 10;
 type Program<'a> = (&'static str, Box<dyn Fn(&Scene) -> f64 + 'a>);
 
 fn main() {
+    match std::env::args().nth(1).as_deref() {
+        None => {
+            gases();
+            frames();
+        }
+        Some("gases") => gases(),
+        Some("frames") => frames(),
+        Some(other) => panic!("neither gases nor frames: {other}"),
+    }
+}
+
+fn gases() {
     println!("impacts a second; gas of equal discs in a box");
     for (count, packing, impacts) in GASES {
         let scene = gas(SEED, count, packing).expect("a valid scene");
@@ -64,10 +76,13 @@ fn main() {
             &programs,
         );
     }
-    println!("\nmilliseconds a frame; Table 1");
+}
+
+fn frames() {
+    println!("milliseconds a frame; Table 1");
     for scale in ["1", "1/3"] {
-        let scale = scale.parse().expect("a number");
-        let scene = table1(SEED, &scale).expect("a valid scene");
+        let radius = scale.parse().expect("a number");
+        let scene = table1(SEED, &radius).expect("a valid scene");
         let programs: [Program; 5] = [
             (
                 "carom timeline f64",
@@ -90,7 +105,7 @@ fn main() {
                 Box::new(|scene| with_rapier::frame(scene, true)),
             ),
         ];
-        show(scene.id(), &scene, &programs);
+        show(&format!("radius times {scale}"), &scene, &programs);
     }
 }
 
