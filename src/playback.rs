@@ -24,7 +24,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use std::cmp::Ordering::{self, Greater, Less};
+use std::cmp::Ordering::{Greater, Less};
 
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
@@ -152,8 +152,10 @@ impl<S: Arithmetic> Playback<S> {
 }
 
 fn earlier<'a, S: Arithmetic>(one: &'a S, other: &'a S) -> Result<&'a S, S::Doubt> {
-    let order: Ordering = one.compare(other)?;
-    Ok(if order == Less { one } else { other })
+    Ok(match one.compare(other)? {
+        Less => one,
+        _ => other,
+    })
 }
 
 /// The impacts of a [`Playback`] in their order.
@@ -173,6 +175,8 @@ impl<S: Arithmetic> Iterator for Impacts<'_, S> {
 
 #[cfg(test)]
 mod tests {
+    use std::cmp::Ordering::Equal;
+
     use super::*;
     use crate::scalar::{Exact, Scalar};
     use crate::scene::{Restitution, SceneBuilder};
@@ -211,7 +215,7 @@ mod tests {
         assert_eq!(time, Ok(Less));
         playback.advance(&Exact::from_integer(1000)).unwrap();
         let time = playback.time().compare(&Exact::from_integer(100));
-        assert_eq!(time, Ok(Ordering::Equal));
+        assert_eq!(time, Ok(Equal));
     }
 
     /// A disc of mass 1/100 between two others that come together, which lose half of

@@ -110,7 +110,8 @@ impl Partners {
     }
 }
 
-/// The exact, event-driven run of a scene.
+/// The exact, event-driven run of a scene, in a plane that does not repeat (for one that
+/// does see [`Periodic`]).
 #[derive(Clone, Debug)]
 pub struct Timeline<S: Timed> {
     flights: Flights<S>,

@@ -10,7 +10,7 @@ use crate::scalar::Doubt;
 use crate::vec2::Vec2;
 
 impl<S: Kernel> World<S> {
-    /// How many pairs overlap.
+    /// How many pairs overlap, in a plane that does not repeat.
     ///
     /// # Errors
     ///

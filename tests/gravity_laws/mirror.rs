@@ -73,17 +73,20 @@ fn options(max_events: u64) -> Options {
     }
 }
 
+/// So many cases of each family, each with an axis.
+fn cases(count: u64) -> impl Iterator<Item = (Case, usize)> {
+    let families = FAMILIES.iter();
+    let cases = families.flat_map(move |family| (0..count).map(|seed| (family.case(seed), seed)));
+    cases.map(|(case, seed)| (case, seed as usize % 2))
+}
+
 /// To the last bit: rounding to nearest knows no sign.
 #[test]
 fn in_binary64() {
-    for (family, seed) in FAMILIES
-        .iter()
-        .flat_map(|family| (0..60).map(move |seed| (family, seed)))
-    {
-        let (case, axis) = (family.case(seed), seed as usize % 2);
+    for (case, axis) in cases(60) {
         let run = |case: &Case| attempt::<f64>(&case.scene(), Algorithm::Timeline, &options(200));
         let runs = [run(&case), run(&mirrored(&case, axis))];
-        assert!(beside(&runs, axis, |a, b| a == b), "{family:?}, {seed}");
+        assert!(beside(&runs, axis, |a, b| a == b), "{case:?}");
     }
 }
 
@@ -91,16 +94,12 @@ fn in_binary64() {
 #[test]
 fn in_exact_arithmetic() {
     let mut decided = 0;
-    for (family, seed) in FAMILIES
-        .iter()
-        .flat_map(|family| (0..12).map(move |seed| (family, seed)))
-    {
-        let (case, axis) = (family.case(seed), seed as usize % 2);
+    for (case, axis) in cases(12) {
         let run = |case: &Case| attempt::<Exact>(&case.scene(), Algorithm::Timeline, &options(10));
         let runs = [run(&case), run(&mirrored(&case, axis))];
         let is_open = |run: &Outcome<Exact>| matches!(run.status, Status::Undecided(_));
         if !runs.iter().any(is_open) {
-            assert!(beside(&runs, axis, agree), "{family:?}, {seed}");
+            assert!(beside(&runs, axis, agree), "{case:?}");
             decided += 1;
         }
     }

@@ -84,7 +84,7 @@ fn courses(impacts: &[Impact<Exact>], discs: usize) -> Vec<Course> {
     courses
 }
 
-/// Proven times are as close as binary64 has them.
+/// Proven times up to 4, to the nearest binary64 or the next one.
 fn assert_same(one: &[Course], other: &[Course]) {
     let names = |courses: &[Course]| -> Vec<Vec<String>> {
         let names = |course: &Course| course.iter().map(|(name, _)| name.clone()).collect();
@@ -92,7 +92,10 @@ fn assert_same(one: &[Course], other: &[Course]) {
     };
     assert_eq!(names(one), names(other));
     for ((_, one), (_, other)) in one.iter().flatten().zip(other.iter().flatten()) {
-        assert!((one - other).abs() <= 1e-14, "{one} and {other}");
+        assert!(
+            (one - other).abs() <= f64::EPSILON * 2.0,
+            "{one} and {other}"
+        );
     }
 }
 

@@ -10,8 +10,9 @@
 //! undecided. There is no search for accumulations.
 
 mod copies;
+mod forecast;
 
-use std::cmp::Ordering::{self, Equal, Less};
+use std::cmp::Ordering::Greater;
 
 use super::flight::Flights;
 use super::front::is_negligible;
@@ -26,6 +27,7 @@ use crate::scalar::{Doubt, Scalar};
 use crate::vec2::Vec2;
 use crate::world::World;
 use copies::{Couple, collide, impact, meet, overlap};
+use forecast::{Forecast, Meeting};
 
 /// The run of a periodic scene.
 #[derive(Clone, Debug)]
@@ -51,60 +53,6 @@ pub struct Periodic<S: Kernel> {
     now: S,
     turn: u64,
     grazes: u64,
-}
-
-/// What a disc comes to first.
-#[derive(Clone, Debug)]
-enum Forecast<S: Kernel> {
-    Nothing,
-    /// Another cell, at this time.
-    Leaving(f64),
-    Meeting(Meeting<S>),
-}
-
-/// A meeting of a disc with a copy of another one.
-#[derive(Clone, Debug)]
-struct Meeting<S: Kernel> {
-    couple: Couple,
-    image: Image,
-    /// The turn at which the partner had changed last.
-    partner_turn: u64,
-    time: S::Time,
-    graze: bool,
-    overlap: bool,
-    /// The name of the time, if the meeting follows without any delay.
-    moment: Option<u64>,
-}
-
-impl<S: Kernel> Forecast<S> {
-    fn bounds(&self) -> [f64; 2] {
-        match self {
-            Self::Nothing => [f64::INFINITY; 2],
-            Self::Leaving(time) => [*time; 2],
-            Self::Meeting(meeting) => {
-                let bounds = meeting.time.bounds();
-                [bounds.lo(), bounds.hi()]
-            }
-        }
-    }
-}
-
-impl<S: Kernel> Meeting<S> {
-    fn order(&self, other: &Self) -> Result<Ordering, S::Doubt> {
-        if !S::ROUNDS && self.moment.is_some() && self.moment == other.moment {
-            return Ok(Equal);
-        }
-        self.time.order(&other.time)
-    }
-
-    /// Whether it is to be resolved before another one, which is none of the same two.
-    fn precedes(&self, other: &Self) -> Result<bool, S::Doubt> {
-        let (one, two) = (self.couple, other.couple);
-        let order = self.order(other).map_err(|doubt| {
-            doubt.asking(|| format!("whether {} or {} meet first", one.pair(), two.pair()))
-        })?;
-        Ok(order == Less || order == Equal && one < two)
-    }
 }
 
 /// How many pairs overlap in a periodic world.
@@ -267,7 +215,7 @@ impl<S: Kernel> Periodic<S> {
             };
             let question = || format!("whether {} meet before the end", next.couple.pair());
             let order = next.time.order_to(limit);
-            if order.map_err(|doubt| doubt.asking(question))? == Ordering::Greater {
+            if order.map_err(|doubt| doubt.asking(question))? == Greater {
                 return Ok(None);
             }
             if next.graze {
@@ -352,8 +300,9 @@ impl<S: Kernel> Periodic<S> {
         let time = next.time.clone().settled(&self.now);
         let discs = couple.discs();
         let is_movable = |disc: &usize| self.flights.world.discs[*disc].is_movable();
-        let changed: Vec<usize> = discs.into_iter().filter(is_movable).collect();
-        for &disc in &changed {
+        let changed = discs.map(|disc| Some(disc).filter(is_movable));
+        let changed = changed.into_iter().flatten();
+        for disc in changed.clone() {
             self.flights.bring(disc, &time, moment, self.turn);
         }
         self.now = time.value();
@@ -362,11 +311,13 @@ impl<S: Kernel> Periodic<S> {
         for (disc, image) in discs.into_iter().zip(couple.images()) {
             self.parted[disc] = Some(image);
         }
-        for &disc in &changed {
+        for disc in changed.clone() {
             self.grazed[disc].clear();
             settle(&mut self.torus, &self.flights, disc, self.now.hull().lo())?;
         }
-        changed.iter().try_for_each(|&disc| self.forecast(disc))?;
+        for disc in changed {
+            self.forecast(disc)?;
+        }
         Ok(impact(couple, &time, moment, contact))
     }
 }
