@@ -32,7 +32,7 @@ pub struct Impact<S> {
     /// The frame and the pass in which a frame algorithm found it.
     pub step: Option<Step>,
     /// The circumstances, unless they are of no interest.
-    pub contact: Option<Box<Contact<S>>>,
+    pub contact: Option<Contact<S>>,
 }
 
 impl<S> Impact<S> {
@@ -47,7 +47,7 @@ impl<S> Impact<S> {
             image: None,
             tie: None,
             step: None,
-            contact: Some(Box::new(contact)),
+            contact: Some(contact),
         }
     }
 }
@@ -83,7 +83,7 @@ impl<S: Arithmetic> Impact<S> {
         Self {
             time: self.time.shortened(digits),
             other_time: self.other_time.map(|time| time.shortened(digits)),
-            contact: contact.map(Box::new),
+            contact,
             ..self
         }
     }
@@ -102,7 +102,7 @@ impl<S> Impact<S> {
             image: self.image.clone(),
             tie: self.tie,
             step: self.step,
-            contact: contact.map(|contact| Box::new(contact.map(&make))),
+            contact: contact.map(|contact| contact.map(&make)),
         }
     }
 }

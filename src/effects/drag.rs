@@ -91,10 +91,7 @@ impl<S: Timed + Decay> Course<S> for Dragged<S> {
         };
         Ok(Some(Impact {
             time: self.now.clone(),
-            contact: impact
-                .contact
-                .as_deref()
-                .map(|contact| Box::new(slowed(contact))),
+            contact: impact.contact.as_ref().map(slowed),
             ..impact
         }))
     }

@@ -258,7 +258,7 @@ impl<S: Timed> Timeline<S> {
             let turn = self.flights.turn_of(feature);
             self.parted.add(disc, feature, turn);
             if let Feature::Disc(other) = feature {
-                let turn = self.flights.turn[disc];
+                let turn = self.flights.starts[disc].turn;
                 self.parted
                     .add(other as usize, Feature::Disc(disc as u32), turn);
             }

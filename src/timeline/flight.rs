@@ -11,42 +11,59 @@ use crate::scalar::{Interval, Scalar};
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
 
-/// The bodies, the times at which they are where `world` says, and the turn
-/// at which each was changed last.
-///
-/// A `moment` names such a time: equal names are equal times, also where the
-/// arithmetic could not prove it.
+/// The bodies, and when each of them was where `world` says.
 #[derive(Clone, Debug)]
 pub struct Flights<S: Kernel> {
     pub(super) world: World<S>,
-    pub(super) since: Vec<S>,
-    pub(super) turn: Vec<u64>,
-    pub(super) moment: Vec<u64>,
+    pub(super) starts: Vec<Start<S>>,
+}
+
+/// When a body was changed last.
+#[derive(Clone, Debug)]
+pub(super) struct Start<S> {
+    /// The time at which it is where the world says.
+    pub(super) since: S,
+    /// The turn.
+    pub(super) turn: u64,
+    /// The name of the time: equal names are equal times, also where the arithmetic
+    /// could not prove it.
+    pub(super) moment: u64,
+}
+
+impl<S> Start<S> {
+    fn map<T>(&self, make: impl Fn(&S) -> T) -> Start<T> {
+        Start {
+            since: make(&self.since),
+            turn: self.turn,
+            moment: self.moment,
+        }
+    }
 }
 
 impl<S: Kernel> Flights<S> {
     pub(super) fn new(world: World<S>) -> Self {
         let count = world.discs.len();
+        let start = Start {
+            since: S::from_integer(0),
+            turn: 0,
+            moment: 0,
+        };
         Self {
             world,
-            since: vec![S::from_integer(0); count],
-            turn: vec![0; count],
-            moment: vec![0; count],
+            starts: vec![start; count],
         }
     }
 
     pub(super) fn hull(&self) -> Flights<Interval> {
         Flights {
             world: self.world.hull(),
-            since: self.since.iter().map(S::hull).collect(),
-            turn: self.turn.clone(),
-            moment: self.moment.clone(),
+            starts: self.starts.iter().map(|start| start.map(S::hull)).collect(),
         }
     }
 
     #[inline]
     pub(super) fn flight(&self, disc: usize) -> Flight<'_, S> {
-        self.world.flight(disc, &self.since[disc])
+        self.world.flight(disc, &self.starts[disc].since)
     }
 
     /// Where a disc is at a time, if nothing changes its motion.
@@ -92,15 +109,17 @@ impl<S: Kernel> Flights<S> {
 
     /// The name of the time at which a disc is where the world says.
     pub(super) fn moment_of(&self, disc: usize) -> u64 {
-        self.moment[disc]
+        self.starts[disc].moment
     }
 
     /// Puts a disc at the start of some motion of it.
     pub(super) fn set(&mut self, disc: usize, body: Disc<S>, since: S, turn: u64) {
         self.world.discs[disc] = body;
-        self.since[disc] = since;
-        self.moment[disc] = turn;
-        self.turn[disc] = turn;
+        self.starts[disc] = Start {
+            since,
+            turn,
+            moment: turn,
+        };
     }
 
     /// Whether a disc and an obstacle are apart, touch or overlap at a time, and
@@ -134,7 +153,7 @@ impl<S: Kernel> Flights<S> {
         let contact = self.world.contact(disc, obstacle);
         contact.filter(|feature| {
             let is_corner = !S::ROUNDS && matches!(feature, Feature::Corner(_));
-            !(is_corner && self.overlaps(disc, obstacle, &self.since[disc]))
+            !(is_corner && self.overlaps(disc, obstacle, &self.starts[disc].since))
         })
     }
 
@@ -177,19 +196,20 @@ impl<S: Kernel> Flights<S> {
     #[inline]
     pub(super) fn turn_of(&self, feature: Feature) -> u64 {
         match feature {
-            Feature::Disc(other) => self.turn[other as usize],
+            Feature::Disc(other) => self.starts[other as usize].turn,
             Feature::Wall(_) | Feature::Corner(_) => 0,
         }
     }
 
     /// Takes a disc to the time of its impact, at some turn.
     pub(super) fn bring(&mut self, disc: usize, time: &S::Time, moment: u64, turn: u64) {
-        if self.moment[disc] != moment {
-            self.world.advance_disc(disc, &self.since[disc], time);
-            self.since[disc] = time.value();
-            self.moment[disc] = moment;
+        let start = &mut self.starts[disc];
+        if start.moment != moment {
+            self.world.advance_disc(disc, &start.since, time);
+            start.since = time.value();
+            start.moment = moment;
         }
-        self.turn[disc] = turn;
+        start.turn = turn;
     }
 
     /// Puts a disc where its impact at a time leaves it; one that no impact
@@ -200,9 +220,11 @@ impl<S: Kernel> Flights<S> {
         }
         let before = std::mem::replace(&mut self.world.discs[disc], after);
         self.world.leave_contacts(disc, &before.velocity);
-        self.since[disc] = time.clone();
-        self.moment[disc] = turn;
-        self.turn[disc] = turn;
+        self.starts[disc] = Start {
+            since: time.clone(),
+            turn,
+            moment: turn,
+        };
     }
 
     /// All numbers that impacts change.
@@ -218,7 +240,7 @@ impl<S: Kernel> Flights<S> {
                 &mut velocity.y,
             ]
         });
-        discs.chain(&mut self.since)
+        discs.chain(self.starts.iter_mut().map(|start| &mut start.since))
     }
 }
 
@@ -226,21 +248,19 @@ impl Flights<Interval> {
     /// Takes over a disc's motion from flights that these are the bounds of.
     pub(super) fn follow<S: Kernel>(&mut self, disc: usize, flights: &Flights<S>) {
         self.world.discs[disc] = flights.world.discs[disc].map(S::hull);
-        self.since[disc] = flights.since[disc].hull();
-        self.moment[disc] = flights.moment[disc];
-        self.turn[disc] = flights.turn[disc];
+        self.starts[disc] = flights.starts[disc].map(S::hull);
     }
 
     /// A time before which a disc and an obstacle do not touch: of two discs
     /// the gap between them, divided by their relative speed, from where they
     /// are.
     pub(super) fn apart_until(&self, disc: usize, obstacle: Obstacle) -> f64 {
-        let since = &self.since[disc];
+        let since = &self.starts[disc].since;
         let Obstacle::Disc(other) = obstacle else {
             return since.lo();
         };
-        let start = if since.lo() < self.since[other].lo() {
-            self.since[other]
+        let start = if since.lo() < self.starts[other].since.lo() {
+            self.starts[other].since
         } else {
             *since
         };

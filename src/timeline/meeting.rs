@@ -62,7 +62,7 @@ impl<S: Kernel> Flights<S> {
 
     /// Whether a disc moves towards a feature that it touches where it is.
     fn approaches(&self, disc: usize, feature: Feature) -> Result<bool, S::Doubt> {
-        let place = self.place(disc, feature, &self.since[disc], true);
+        let place = self.place(disc, feature, &self.starts[disc].since, true);
         self.world.approaches(disc, feature, &place.other)
     }
 
@@ -139,14 +139,16 @@ impl<S: Kernel> Flights<S> {
                 let (early, late) = self.in_order(disc, other);
                 S::glance_at_discs(&self.approach(early, late))
             }
-            Obstacle::Wall(wall) => self.world.glance_at_wall(disc, &self.since[disc], wall),
+            Obstacle::Wall(wall) => self
+                .world
+                .glance_at_wall(disc, &self.starts[disc].since, wall),
         }
     }
 
     /// Two discs, the one that changed later last.
     #[inline]
     fn in_order(&self, disc: usize, other: usize) -> (usize, usize) {
-        if self.turn[disc] < self.turn[other] {
+        if self.starts[disc].turn < self.starts[other].turn {
             (disc, other)
         } else {
             (other, disc)
@@ -158,7 +160,7 @@ impl<S: Kernel> Flights<S> {
         Approach {
             early: self.flight(early),
             late: self.flight(late),
-            together: self.moment[early] == self.moment[late],
+            together: self.starts[early].moment == self.starts[late].moment,
         }
     }
 
@@ -173,7 +175,7 @@ impl<S: Kernel> Flights<S> {
     }
 
     fn meet_wall(&self, disc: usize, wall: usize) -> Result<Option<Meeting<S>>, S::Doubt> {
-        let met = self.world.meet_wall(disc, &self.since[disc], wall)?;
+        let met = self.world.meet_wall(disc, &self.starts[disc].since, wall)?;
         Ok(self.meeting_at_wall(disc, wall, met))
     }
 
@@ -192,7 +194,7 @@ impl<S: Kernel> Flights<S> {
 
     /// The meeting of a disc with a feature that it touches and approaches.
     pub(super) fn touching(&self, disc: usize, feature: Feature) -> Meeting<S> {
-        self.meeting(disc, Met::at_once(&self.since[disc]), feature)
+        self.meeting(disc, Met::at_once(&self.starts[disc].since), feature)
     }
 
     /// The impact on a feature that is ahead within these bounds of the time, where
@@ -220,7 +222,7 @@ impl<S: Kernel> Flights<S> {
             overlap: met.overlap,
             inside: met.inside,
             rest: met.rest,
-            moment: met.overlap.then_some(self.moment[late]),
+            moment: met.overlap.then_some(self.starts[late].moment),
         }
     }
 

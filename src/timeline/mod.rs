@@ -275,7 +275,8 @@ impl<S: Timed> Timeline<S> {
     /// The discs as they are kept: each where its own last impact left it, with
     /// the time of that.
     pub fn bodies(&self) -> impl Iterator<Item = (&Disc<S>, &S)> {
-        self.flights.world.discs.iter().zip(&self.flights.since)
+        let starts = self.flights.starts.iter().map(|start| &start.since);
+        self.flights.world.discs.iter().zip(starts)
     }
 
     /// The discs as they are at a time: not before the latest impact, nor

@@ -59,7 +59,7 @@ impl<S: Timed> Timeline<S> {
     /// Whether an overlap of a disc is none by rounding: it is where the scene
     /// puts it, or nothing rounds.
     pub(super) fn tells_overlaps(&self, disc: usize) -> bool {
-        !S::ROUNDS || self.flights.turn[disc] == 0
+        !S::ROUNDS || self.flights.starts[disc].turn == 0
     }
 
     /// Whether a disc that is at a corner at some time overlaps a wall that ends

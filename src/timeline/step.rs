@@ -184,7 +184,7 @@ impl<S: Kernel> Flights<S> {
     /// it, at some turn, in one step. Gives the time.
     pub(super) fn leap(&mut self, disc: usize, feature: Feature, turn: u64) -> Option<S> {
         let [early, late] = match feature {
-            Feature::Disc(other) if self.turn[other as usize] <= self.turn[disc] => {
+            Feature::Disc(other) if self.starts[other as usize].turn <= self.starts[disc].turn => {
                 [other as usize, disc]
             }
             Feature::Disc(other) => [disc, other as usize],
@@ -213,7 +213,7 @@ impl<S: Kernel> Flights<S> {
     fn body(&self, disc: usize) -> Body<S> {
         Body {
             disc: self.world.discs[disc].clone(),
-            since: self.since[disc].clone(),
+            since: self.starts[disc].since.clone(),
         }
     }
 }

@@ -66,7 +66,7 @@ impl Sweep {
     /// Takes note of a disc whose motion has changed.
     pub(super) fn update(&mut self, flights: &Flights<Interval>, disc: usize) {
         let body = &flights.world.discs[disc];
-        let since = &flights.since[disc];
+        let since = &flights.starts[disc].since;
         let (x, x_slack) = track(&body.position.x, &body.velocity.x, since, self.horizon);
         let (y, y_slack) = track(&body.position.y, &body.velocity.y, since, self.horizon);
         self.x.set(disc, x);

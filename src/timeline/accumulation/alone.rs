@@ -15,6 +15,7 @@ use super::trio::{Side, Trio};
 use crate::body::{BodyId, Mass};
 use crate::kernel::Kernel;
 use crate::scalar::Interval;
+use crate::timeline::flight::Start;
 use crate::timeline::{Timed, Timeline};
 use crate::vec2::Vec2;
 use crate::world::{Obstacle, World};
@@ -47,7 +48,7 @@ impl<S: Timed> Timeline<S> {
     /// Where free discs are throughout a span of time.
     pub(super) fn sweep(&self, span: Interval) -> World<Interval> {
         let mut world = self.flights.world.hull();
-        for (disc, since) in world.discs.iter_mut().zip(&self.flights.since) {
+        for (disc, Start { since, .. }) in world.discs.iter_mut().zip(&self.flights.starts) {
             disc.position = disc.position.moved(&disc.velocity, &(span - since.hull()));
         }
         world

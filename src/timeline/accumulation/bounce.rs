@@ -42,7 +42,7 @@ impl<S: Timed> Timeline<S> {
         if world.discs[disc].last != Some(Feature::Wall(wall as u32)) {
             return None;
         }
-        let flight = world.flight(disc, &self.flights.since[disc]);
+        let flight = world.flight(disc, &self.flights.starts[disc].since);
         let left = S::bouncing(flight, &world.walls[wall].segment, kept)?;
         let limit = left.clone().map(|left| self.now.clone() + &left);
         let is_close = left[1].hull().hi() <= CLOSE * limit[1].hull().lo();

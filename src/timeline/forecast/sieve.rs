@@ -43,7 +43,7 @@ impl Bounds {
         latest: f64,
         skips: impl Fn(Obstacle, Feature, bool) -> bool,
     ) -> Option<Survivor> {
-        let begun = self.flights.since[disc].lo();
+        let begun = self.flights.starts[disc].since.lo();
         if let Obstacle::Disc(other) = obstacle
             && self.sweep.are_apart(disc, other, begun, latest)
         {

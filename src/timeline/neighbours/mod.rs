@@ -84,7 +84,7 @@ impl Motion {
         Self {
             position: known(&body.position),
             velocity: known(&body.velocity),
-            since: Known::of(&flights.since[disc]),
+            since: Known::of(&flights.starts[disc].since),
             until: f64::INFINITY,
         }
     }
@@ -110,7 +110,7 @@ impl Motion {
     ) -> Self {
         let body = &flights.world.discs[disc];
         let since = Interval::point(time);
-        let flown = since - flights.since[disc].hull();
+        let flown = since - flights.starts[disc].since.hull();
         let [position, velocity] =
             [&body.position, &body.velocity].map(|vector| vector.map(S::hull));
         let half = pull.scaled(&Interval::point(0.5));
@@ -163,7 +163,7 @@ impl Neighbours {
     #[inline]
     pub(super) fn update<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
         if let Self::Near(grid) = self {
-            let time = flights.since[disc].hull().lo();
+            let time = flights.starts[disc].since.hull().lo();
             let motion = Motion::at(grid, flights, disc, time);
             grid.settle(disc, &motion, time);
         }

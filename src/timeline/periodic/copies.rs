@@ -105,7 +105,7 @@ pub(super) fn meet<S: Kernel>(
         disc: &copy,
         ..other
     };
-    let (early, late) = if flights.turn[first] < flights.turn[second] {
+    let (early, late) = if flights.starts[first].turn < flights.starts[second].turn {
         (one, other)
     } else {
         (other, one)
@@ -113,7 +113,7 @@ pub(super) fn meet<S: Kernel>(
     let approach = Approach {
         early,
         late,
-        together: flights.moment[first] == flights.moment[second],
+        together: flights.starts[first].moment == flights.starts[second].moment,
     };
     check_order(&approach)?;
     S::meet_discs(&approach)

@@ -169,7 +169,7 @@ impl<S: Kernel> Periodic<S> {
     /// can be deflected.
     fn meeting(&self, disc: usize, image: Image) -> Result<Option<Meeting<S>>, S::Doubt> {
         let other = image.disc as usize;
-        let partner_turn = self.flights.turn[other];
+        let partner_turn = self.flights.starts[other].turn;
         if self.have_parted(disc, image) && self.have_parted(other, image.seen_back(disc))
             || self.grazed[disc].contains(&(image, partner_turn))
         {
@@ -179,7 +179,7 @@ impl<S: Kernel> Periodic<S> {
         let met = meet(&self.flights, &self.period, couple);
         let met =
             met.map_err(|doubt| doubt.asking(|| format!("whether {} meet", couple.pair())))?;
-        let [one, two] = couple.discs().map(|disc| self.flights.turn[disc]);
+        let [one, two] = couple.discs().map(|disc| self.flights.starts[disc].turn);
         let late = couple.discs()[usize::from(one < two)];
         Ok(met.map(|met| Meeting {
             couple,
@@ -187,7 +187,7 @@ impl<S: Kernel> Periodic<S> {
             partner_turn,
             graze: met.graze,
             overlap: met.overlap,
-            moment: met.overlap.then_some(self.flights.moment[late]),
+            moment: met.overlap.then_some(self.flights.starts[late].moment),
             time: met.time,
         }))
     }
@@ -230,8 +230,8 @@ impl<S: Kernel> Periodic<S> {
     /// Collects the discs whose forecasts may come true no later than that with the
     /// least lower bound.
     fn collect_front(&mut self) {
-        let [_, end] = self.forecasts[self.queue.least_slot()].bounds();
-        self.queue.collect_up_to(end, &mut self.front);
+        let end = |disc: usize| self.forecasts[disc].bounds()[1];
+        self.queue.collect_front(&mut self.front, end);
     }
 
     /// Makes one forecast of the front anew, if one no longer holds or goes not far
@@ -243,7 +243,7 @@ impl<S: Kernel> Periodic<S> {
                     settle(&mut self.torus, &self.flights, disc, self.queue.least())?;
                 }
                 Forecast::Meeting(next)
-                    if self.flights.turn[next.image.disc as usize] != next.partner_turn => {}
+                    if self.flights.starts[next.image.disc as usize].turn != next.partner_turn => {}
                 _ => continue,
             }
             self.forecast(disc)?;
@@ -286,7 +286,7 @@ impl<S: Kernel> Periodic<S> {
         self.grazes += 1;
         let discs = next.couple.discs();
         for (disc, image) in discs.into_iter().zip(next.couple.images()) {
-            let turn = self.flights.turn[image.disc as usize];
+            let turn = self.flights.starts[image.disc as usize].turn;
             self.grazed[disc].push((image, turn));
         }
         discs.into_iter().try_for_each(|disc| self.forecast(disc))
