@@ -123,6 +123,9 @@ mod making;
 #[path = "cli/checking.rs"]
 mod checking;
 
+#[path = "cli/judging.rs"]
+mod judging;
+
 #[cfg(unix)]
 #[path = "cli/interrupting.rs"]
 mod interrupting;

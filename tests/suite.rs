@@ -22,3 +22,4 @@ mod regressions;
 mod scene;
 mod shadowing;
 mod symmetric;
+mod verdict;

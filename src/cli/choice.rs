@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use carom::arithmetic::{Arithmetic as _, Budget};
 use carom::frame::{self, Passes};
-use carom::scalar::{Exact, Filtered};
+use carom::scalar::{Exact, Filtered, Number};
 use carom::simulation::Algorithm;
 use carom::timeline::{self, Simultaneous};
 use clap::{Args, ValueEnum};
@@ -188,6 +188,15 @@ impl BudgetArguments {
             first_bits: usual.first_bits.min(self.max_bits),
             most_bits: self.max_bits,
         }
+    }
+}
+
+/// A time that is not before the start.
+pub(super) fn duration(text: &str) -> Result<Number, String> {
+    let number: Number = text.parse().map_err(|error| format!("{error}"))?;
+    match number.sign().is_ge() {
+        true => Ok(number),
+        false => Err(String::from("expected a time that is not negative")),
     }
 }
 

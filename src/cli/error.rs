@@ -15,6 +15,9 @@ pub(super) enum Error {
     /// A scene cannot be read, or makes no sense.
     #[error("{0}")]
     Scene(#[from] SceneError),
+    /// A log cannot be read, or is of other bodies.
+    #[error("{file}: {reason}")]
+    Log { file: String, reason: String },
     /// A scene cannot be simulated.
     #[error("{file}: {reason}")]
     Unsupported { file: String, reason: Unsupported },

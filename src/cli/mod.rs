@@ -4,6 +4,7 @@
 //! Exit status: 0 all as expected, 1 a judged difference, 2 bad usage or
 //! input, 3 the budget ran out; 130 after an interruption.
 
+mod check;
 mod choice;
 mod compare;
 mod error;
@@ -41,6 +42,7 @@ struct Arguments {
 enum Command {
     Run(run::Arguments),
     Compare(compare::Arguments),
+    Check(check::Arguments),
     Validate(validate::Arguments),
     Generate(generate::Arguments),
     FuzzCheck(fuzz_check::Arguments),
@@ -64,6 +66,7 @@ impl Command {
         match self {
             Self::Run(arguments) => run::execute(arguments),
             Self::Compare(arguments) => compare::execute(arguments),
+            Self::Check(arguments) => check::execute(arguments),
             Self::Validate(arguments) => Ok(validate::execute(arguments)),
             Self::Generate(arguments) => generate::execute(arguments),
             Self::FuzzCheck(arguments) => fuzz_check::execute(arguments),

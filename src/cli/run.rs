@@ -11,7 +11,7 @@ use carom::scene::Scene;
 use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
 
-use super::choice::{AlgorithmArguments, ArithmeticName, BudgetArguments, Phase, Rule};
+use super::choice::{self, AlgorithmArguments, ArithmeticName, BudgetArguments, Phase, Rule};
 use super::error::{self, Error};
 use super::exit::Exit;
 use super::interrupt;
@@ -50,7 +50,7 @@ pub(super) struct Arguments {
     final_scene: Option<PathBuf>,
     /// The time at which the run ends, an exact number such as 1/3, instead
     /// of that of the scene. Frame algorithms finish the frame.
-    #[arg(long, value_name = "T", value_parser = duration, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = choice::duration, allow_negative_numbers = true)]
     until: Option<Number>,
     /// The number of impacts after which the run ends.
     #[arg(
@@ -258,14 +258,5 @@ fn tell(scene: &Path, status: &Status) {
             error::report(&format_args!("{scene}: ended by the limit of --max-events"));
         }
         Status::Interrupted => error::report(&format_args!("{scene}: interrupted")),
-    }
-}
-
-/// A time that is not before the start.
-fn duration(text: &str) -> Result<Number, String> {
-    let number: Number = text.parse().map_err(|error| format!("{error}"))?;
-    match number.sign().is_ge() {
-        true => Ok(number),
-        false => Err(String::from("expected a time that is not negative")),
     }
 }

@@ -1,6 +1,6 @@
 //! `carom schema`: the formats of the files.
 
-use carom::log::{events_schema, state_schema};
+use carom::log::{events_schema, state_schema, verdict_schema};
 use carom::scene::scene_schema;
 use clap::ValueEnum;
 
@@ -24,6 +24,8 @@ enum Format {
     Events,
     /// States, carom/state/1.
     State,
+    /// Judgements, carom/verdict/1.
+    Verdict,
 }
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
@@ -31,6 +33,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
         Format::Scene => scene_schema(),
         Format::Events => events_schema(),
         Format::State => state_schema(),
+        Format::Verdict => verdict_schema(),
     };
     Output::open(&standard())?.write_text(&schema)?;
     Ok(Exit::Success)

@@ -10,8 +10,10 @@ mod difference;
 mod frames;
 mod tally;
 mod truth;
+mod verdict;
 
 pub use difference::{Difference, first_difference};
 pub use frames::{Judged, judge};
 pub use tally::{Logged, Tally, compare_frame};
 pub use truth::{Truth, true_frame};
+pub use verdict::{Margin, Reference, Standing, Verdict};

@@ -11,6 +11,7 @@ use std::ops::AddAssign;
 use crate::body::{BodyId, Pair};
 use crate::impact::Impact;
 use crate::scalar::Scalar;
+use crate::scene::Scene;
 
 /// What a judgement needs of an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +22,19 @@ pub struct Logged {
     pub time: f64,
     /// The number of its group of simultaneous impacts.
     pub tie: Option<u32>,
+}
+
+impl Logged {
+    /// Whether both bodies are those of a scene, the first one a disc and the other one
+    /// not the same.
+    pub fn is_of(&self, scene: &Scene) -> bool {
+        let is_of = |body| match body {
+            BodyId::Disc(index) => (index as usize) < scene.discs().len(),
+            BodyId::Wall(index) => (index as usize) < scene.walls().len(),
+        };
+        let Pair { a, b } = self.pair;
+        matches!(a, BodyId::Disc(_)) && a != b && is_of(a) && is_of(b)
+    }
 }
 
 impl<S: Scalar> From<&Impact<S>> for Logged {
@@ -83,13 +97,13 @@ pub fn compare_frame(truth: &[Logged], candidate: &[Logged]) -> Tally {
 }
 
 /// The distance of a binary64 to the next.
-fn ulp(x: f64) -> f64 {
+pub(super) fn ulp(x: f64) -> f64 {
     x.abs().next_up() - x.abs()
 }
 
 /// The k-th impact of each pair in one with that in the other, by the
 /// candidate's order.
-fn match_up(truth: &[Logged], candidate: &[Logged]) -> Vec<(usize, usize)> {
+pub(super) fn match_up(truth: &[Logged], candidate: &[Logged]) -> Vec<(usize, usize)> {
     let mut places: HashMap<Pair, Vec<usize>> = HashMap::new();
     for (index, impact) in truth.iter().enumerate().rev() {
         places.entry(impact.pair).or_default().push(index);

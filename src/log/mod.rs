@@ -46,6 +46,7 @@ mod resume;
 #[cfg(feature = "cli")]
 mod schema;
 mod state;
+mod verdict;
 
 pub use contact::Contact;
 pub use event::{Ending, Event, EventsFormat, Header, Summary};
@@ -54,8 +55,12 @@ pub use read::{Log, LogError};
 pub use record::Recorder;
 pub use resume::end_scene;
 #[cfg(feature = "cli")]
-pub use schema::{events_schema, state_schema};
+pub use schema::{events_schema, state_schema, verdict_schema};
 pub use state::{DiscState, State, StateFormat};
+pub use verdict::{
+    Decision, FirstDifference, Judgement, LoggedImpact, MarginReport, StandingName, TrueImpact,
+    VerdictFormat,
+};
 
 /// The significant decimal digits of proven bounds, unless more are asked
 /// for.

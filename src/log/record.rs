@@ -145,7 +145,7 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
     /// The last line.
     pub fn summary(&self) -> Summary {
         let outcome = self.outcome;
-        let until = nearest_to(self.end());
+        let until = nearest_to(self.options.end_of(self.scene));
         let reached = nearest(&outcome.time);
         let states = [&outcome.start, &outcome.end];
         let (question, found) = match &outcome.status {
@@ -167,14 +167,6 @@ impl<'a, S: Arithmetic> Recorder<'a, S> {
             word: found.map(|found| found.word.iter().map(|pair| [pair.a, pair.b]).collect()),
             energy: states.map(|discs| nearest(&energy(discs))),
             momentum: states.map(|discs| nearest_momentum(discs)),
-        }
-    }
-
-    /// When the run was to end.
-    fn end(&self) -> BigRational {
-        match &self.options.until {
-            Some(until) => until.to_rational(),
-            None => self.scene.frame().total(),
         }
     }
 }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-use super::{Event, Header, State, Summary};
+use super::{Event, Header, Judgement, State, Summary};
 use crate::body::{BodyId, End};
 
 /// The JSON Schema of a line of `carom/events/1`, as text.
@@ -16,6 +16,11 @@ pub fn events_schema() -> String {
 /// The JSON Schema of `carom/state/1`, as text.
 pub fn state_schema() -> String {
     text(&schemars::schema_for!(State))
+}
+
+/// The JSON Schema of `carom/verdict/1`, as text.
+pub fn verdict_schema() -> String {
+    text(&schemars::schema_for!(Judgement))
 }
 
 fn text(schema: &Schema) -> String {

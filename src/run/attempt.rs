@@ -36,10 +36,7 @@ impl<'a, S: Arithmetic> Attempt<'a, S> {
         precision: S::Precision,
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Self {
-        let end = match &options.until {
-            Some(until) => until.to_rational(),
-            None => scene.frame().total(),
-        };
+        let end = options.end_of(scene);
         Self {
             options,
             symmetries,

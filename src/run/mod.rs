@@ -9,6 +9,8 @@ mod attempt;
 
 use std::ops::ControlFlow;
 
+use num_rational::BigRational;
+
 use crate::arithmetic::{Arithmetic, Budget, Shortfall};
 use crate::body::Disc;
 use crate::frame;
@@ -55,6 +57,16 @@ impl Default for Options {
             simultaneous: Simultaneous::default(),
             broad_phase: BroadPhase::default(),
             frame_broad_phase: frame::BroadPhase::default(),
+        }
+    }
+}
+
+impl Options {
+    /// When the run of a scene is to end.
+    pub(crate) fn end_of(&self, scene: &Scene) -> BigRational {
+        match &self.until {
+            Some(until) => until.to_rational(),
+            None => scene.frame().total(),
         }
     }
 }

@@ -1,0 +1,163 @@
+//! `carom check`: another program's log, held against the truth.
+
+mod junit;
+mod message;
+
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use carom::judge::{Logged, Reference, Verdict};
+use carom::log::{Judgement, Log, MIN_DIGITS};
+use carom::run::Options;
+use carom::scalar::{Exact, Number};
+use carom::scene::Scene;
+use carom::simulation::Algorithm;
+use carom::support::check_support;
+
+use super::choice::{self, BudgetArguments, Rule};
+use super::error::Error;
+use super::exit::Exit;
+use super::output::{Output, is_standard, standard};
+use super::progress::RunBar;
+
+/// Judge another program's event log.
+///
+/// A line of the log needs the time and the two bodies: {"time": 0.25, "a": "d0",
+/// "b": "w1"}. Its order is judged, disc by disc, up to the first impact that is not the
+/// true one. The status is 1 if nothing excuses that: neither a convention (tangent
+/// passes, simultaneous impacts) nor what binary64 can carry.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  carom check scene.json --events theirs.jsonl
+  their-program < scene.json | carom check scene.json --events - --junit verdict.xml")]
+pub(super) struct Arguments {
+    /// The scene.
+    scene: PathBuf,
+    /// The log; - is standard input.
+    #[arg(long, value_name = "FILE")]
+    events: PathBuf,
+    /// Where the verdict goes as JSON; - is standard output, in place of the text.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Where the verdict goes as a JUnit report, for continuous integration.
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// The time at which the truth ends, instead of that of the scene.
+    #[arg(long, value_name = "T", value_parser = choice::duration, allow_negative_numbers = true)]
+    until: Option<Number>,
+    /// How the truth resolves simultaneous impacts that share a disc.
+    #[arg(long, value_name = "RULE", value_enum, default_value = "sequential")]
+    simultaneous: Rule,
+    #[command(flatten)]
+    budget: BudgetArguments,
+}
+
+pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
+    arguments.check_paths()?;
+    let scene = Scene::read(&arguments.scene)?;
+    let unsupported = |reason| Error::Unsupported {
+        file: arguments.scene.display().to_string(),
+        reason,
+    };
+    check_support::<Exact>(&scene, Algorithm::Timeline).map_err(unsupported)?;
+    let log = read(&arguments.events)?;
+    let log = logged(&scene, &log).map_err(|reason| Error::Log {
+        file: arguments.events.display().to_string(),
+        reason,
+    })?;
+    let mut bar = RunBar::new();
+    let reference = Reference::find(&scene, &arguments.options(), &mut |progress| {
+        bar.show(progress);
+        ControlFlow::Continue(())
+    });
+    let reference = reference.map_err(unsupported)?;
+    let verdict = reference.judge(&log);
+    let judgement = Judgement::new(&scene, &reference, &verdict, MIN_DIGITS);
+    arguments.write(&judgement)?;
+    Ok(exit(&reference, &verdict))
+}
+
+impl Arguments {
+    /// Standard input is read once, and written to once.
+    fn check_paths(&self) -> Result<(), Error> {
+        let outputs = [&self.json, &self.junit].map(Option::as_deref);
+        if is_standard(&self.scene) && is_standard(&self.events) {
+            let problem = "-: expected only one of the scene and --events";
+            return Err(Error::Usage(String::from(problem)));
+        }
+        match outputs {
+            [Some(json), Some(junit)] if json == junit => Err(Error::Usage(format!(
+                "{}: expected only one of --json and --junit",
+                json.display()
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    fn options(&self) -> Options {
+        Options {
+            until: self.until.clone(),
+            max_events: u64::MAX,
+            budget: self.budget.budget(),
+            digits: MIN_DIGITS + 1,
+            simultaneous: self.simultaneous.simultaneous(),
+            ..Options::default()
+        }
+    }
+
+    fn write(&self, judgement: &Judgement) -> Result<(), Error> {
+        let takes_output = |path: &Option<PathBuf>| path.as_deref().is_some_and(is_standard);
+        if !takes_output(&self.json) && !takes_output(&self.junit) {
+            Output::open(&standard())?.write_text(&message::text(judgement))?;
+        }
+        if let Some(path) = &self.json {
+            Output::open(path)?.write(|writer| {
+                serde_json::to_writer_pretty(&mut *writer, judgement)?;
+                writer.write_all(b"\n")
+            })?;
+        }
+        match &self.junit {
+            Some(path) => Output::open(path)?.write_text(&junit::report(judgement)),
+            None => Ok(()),
+        }
+    }
+}
+
+fn read(path: &Path) -> Result<Log, Error> {
+    let log = match is_standard(path) {
+        true => Log::read(io::stdin().lock()),
+        false => File::open(path)
+            .map_err(Into::into)
+            .and_then(|file| Log::read(BufReader::new(file))),
+    };
+    log.map_err(|reason| Error::Log {
+        file: path.display().to_string(),
+        reason: reason.to_string(),
+    })
+}
+
+/// The impacts of a log, all of which must be of the scene's bodies.
+pub(super) fn logged(scene: &Scene, log: &Log) -> Result<Vec<Logged>, String> {
+    let events = log.events.iter().enumerate();
+    let logged = events.map(|(place, event)| {
+        let impact = Logged::from(event);
+        match impact.is_of(scene) {
+            true => Ok(impact),
+            false => Err(format!(
+                "impact {place}: expected a disc of the scene and another body of it, found {}",
+                impact.pair
+            )),
+        }
+    });
+    logged.collect()
+}
+
+/// A difference that nothing excuses; else a truth that is not known to the end.
+fn exit(reference: &Reference<'_>, verdict: &Verdict) -> Exit {
+    match verdict.is_blamed() {
+        true => Exit::Difference,
+        false => Exit::from(reference.status()),
+    }
+}

@@ -1,0 +1,285 @@
+//! How close the decision was in which a log differs.
+//!
+//! From the exact state after the last impact before, all goes on as if nothing
+//! collided. What the log has instead of the true impact may then happen later, or not at
+//! all: by how much later, or by how much the two bodies pass each other. Likewise by how
+//! much the bodies of an impact that it misses would enter each other.
+
+use std::cmp::Ordering;
+
+use super::carry::Carry;
+use crate::body::{BodyId, Disc, Pair};
+use crate::detect::{End, Segment, meet_circle, meet_segment};
+use crate::judge::Difference;
+use crate::judge::tally::ulp;
+use crate::playback::Playback;
+use crate::scalar::{Exact, Number, Scalar, Undecided};
+use crate::scene::Scene;
+use crate::vec2::Vec2;
+use crate::world::World;
+
+/// How close a decision was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Margin {
+    /// Which of two impacts comes first: how far they are apart in time.
+    Order {
+        /// The time between them.
+        apart: f64,
+        /// In ulps of the time.
+        ulps: f64,
+        /// What binary64 resolves there.
+        resolution: f64,
+    },
+    /// Whether two bodies meet: how far they pass by, or would enter each other.
+    Room {
+        /// The length.
+        length: f64,
+        /// In ulps of the distance at which they touch.
+        ulps: f64,
+        /// What binary64 resolves there.
+        resolution: f64,
+    },
+}
+
+impl Margin {
+    /// Whether bodies pass in tangency, as far as exact arithmetic tells.
+    pub fn is_tangent(&self) -> bool {
+        matches!(self, Self::Room { length: 0.0, .. })
+    }
+
+    /// Whether that is closer than binary64 resolves.
+    pub fn is_close(&self) -> bool {
+        self.closeness() <= 1.0
+    }
+
+    /// The margin in terms of what binary64 resolves.
+    fn closeness(&self) -> f64 {
+        match *self {
+            Self::Order {
+                apart: margin,
+                resolution,
+                ..
+            }
+            | Self::Room {
+                length: margin,
+                resolution,
+                ..
+            } => margin / resolution,
+        }
+    }
+}
+
+/// The state in which a log takes another course than the truth.
+pub(super) struct Question<'a> {
+    difference: &'a Difference,
+    /// The bodies, and the time at which they are there; none where motion is not
+    /// straight.
+    state: Option<(World<Exact>, Exact)>,
+}
+
+/// What two bodies come to, if nothing else happens.
+enum Fate {
+    /// They meet at this time.
+    Meet(f64),
+    /// They do not: by how much, and how fast they pass.
+    Pass { length: f64, reach: f64, speed: f64 },
+}
+
+impl<'a> Question<'a> {
+    pub(super) fn new(scene: &Scene, end: &Number, bits: u32, difference: &'a Difference) -> Self {
+        let effects = scene.effects();
+        let is_straight =
+            effects.gravity.is_none() && effects.drag.is_none() && scene.periodic().is_none();
+        Self {
+            difference,
+            state: is_straight
+                .then(|| state(scene, end, bits, difference))
+                .flatten(),
+        }
+    }
+
+    /// The closest of the decisions that the log may have taken otherwise.
+    pub(super) fn margin(&self, carry: &Carry) -> Option<Margin> {
+        let Difference {
+            truth, candidate, ..
+        } = *self.difference;
+        let instead = candidate.and_then(|(pair, _)| self.instead(pair, truth, carry));
+        let missed = truth.and_then(|(pair, _)| self.depth(pair, carry));
+        let margins = [instead, missed].into_iter().flatten();
+        margins.min_by(|one, other| one.closeness().total_cmp(&other.closeness()))
+    }
+
+    /// How close it was that a pair collides instead of another.
+    fn instead(&self, pair: Pair, truth: Option<(Pair, f64)>, carry: &Carry) -> Option<Margin> {
+        match (self.fate(pair)?, truth) {
+            (Fate::Meet(time), Some((_, first))) => Some(Margin::Order {
+                apart: (time - first).abs(),
+                ulps: (time - first).abs() / ulp(first),
+                resolution: carry.resolution(first),
+            }),
+            // It meets after the end, or what it says is no first impact.
+            (Fate::Meet(_), None) => None,
+            (pass, _) => self.room(&pass, carry),
+        }
+    }
+
+    /// How far a pair that collides would enter each other.
+    fn depth(&self, pair: Pair, carry: &Carry) -> Option<Margin> {
+        let (world, _) = self.state.as_ref()?;
+        self.room(&Couple::of(world, pair)?.nearest()?, carry)
+    }
+
+    /// What a pair comes to, if nothing else happens; none where they touch already.
+    fn fate(&self, pair: Pair) -> Option<Fate> {
+        let (world, now) = self.state.as_ref()?;
+        let couple = Couple::of(world, pair)?;
+        match couple.meet() {
+            Ok(Some(delay)) => Some(Fate::Meet((now.clone() + delay).to_f64())),
+            Ok(None) => couple.nearest(),
+            Err(_) => couple.nearest().map(Fate::touching),
+        }
+    }
+
+    fn room(&self, pass: &Fate, carry: &Carry) -> Option<Margin> {
+        let Fate::Pass {
+            length,
+            reach,
+            speed,
+        } = *pass
+        else {
+            return None;
+        };
+        let time = self.difference.time;
+        Some(Margin::Room {
+            length,
+            ulps: length / ulp(reach),
+            resolution: (carry.resolution(time) * speed).max(8.0 * ulp(reach)),
+        })
+    }
+}
+
+impl Fate {
+    fn length(&self) -> f64 {
+        match self {
+            Self::Pass { length, .. } => *length,
+            Self::Meet(_) => f64::INFINITY,
+        }
+    }
+
+    /// The same passage, of which it is open whether the two touch.
+    fn touching(self) -> Self {
+        match self {
+            Self::Pass { reach, speed, .. } => Self::Pass {
+                length: 0.0,
+                reach,
+                speed,
+            },
+            meet @ Self::Meet(_) => meet,
+        }
+    }
+}
+
+/// A disc, and what it may meet.
+enum Couple<'a> {
+    Discs([&'a Disc<Exact>; 2]),
+    Wall(&'a Disc<Exact>, &'a Segment<Exact>),
+}
+
+impl<'a> Couple<'a> {
+    fn of(world: &'a World<Exact>, pair: Pair) -> Option<Self> {
+        let disc = |body| match body {
+            BodyId::Disc(index) => world.discs.get(index as usize),
+            BodyId::Wall(_) => None,
+        };
+        let first = disc(pair.a)?;
+        match pair.b {
+            BodyId::Disc(_) => Some(Self::Discs([first, disc(pair.b)?])),
+            BodyId::Wall(wall) => {
+                let wall = world.walls.get(wall as usize)?;
+                Some(Self::Wall(first, &wall.segment))
+            }
+        }
+    }
+
+    /// How long it takes them to meet, if they do.
+    fn meet(&self) -> Result<Option<Exact>, Undecided> {
+        let met = match self {
+            Self::Discs([one, other]) => {
+                let reach = one.radius.clone() + &other.radius;
+                let (offset, velocity) = relative(one, other);
+                meet_circle(&offset, &velocity, &reach)?
+            }
+            Self::Wall(disc, wall) => {
+                let Disc {
+                    position,
+                    velocity,
+                    radius,
+                    ..
+                } = disc;
+                meet_segment(position, velocity, radius, wall, |_| false)?
+            }
+        };
+        Ok(met.filter(|met| !met.graze).map(|met| met.delay))
+    }
+
+    /// How they pass, where they come nearest: a wall at its nearer end, for its
+    /// interior is either met or far.
+    fn nearest(&self) -> Option<Fate> {
+        match self {
+            Self::Discs([one, other]) => {
+                let reach = one.radius.clone() + &other.radius;
+                let (offset, velocity) = relative(one, other);
+                passage(&offset, &velocity, &reach)
+            }
+            Self::Wall(disc, wall) => {
+                let ends = [End::From, End::To].map(|end| {
+                    let offset = disc.position.minus(wall.end(end));
+                    passage(&offset, &disc.velocity, &disc.radius)
+                });
+                let ends = ends.into_iter().flatten();
+                ends.min_by(|one, other| one.length().total_cmp(&other.length()))
+            }
+        }
+    }
+}
+
+/// Where a disc is and how it moves, seen from another.
+fn relative(one: &Disc<Exact>, other: &Disc<Exact>) -> (Vec2<Exact>, Vec2<Exact>) {
+    let offset = other.position.minus(&one.position);
+    (offset, other.velocity.minus(&one.velocity))
+}
+
+/// How a point that moves passes a circle about the origin, if it comes nearer: its least
+/// distance d from the origin, with d² = x² - (x·v)² / v², is off the radius R by
+/// (d² - R²) / 2R, as long as that is little.
+fn passage(offset: &Vec2<Exact>, velocity: &Vec2<Exact>, reach: &Exact) -> Option<Fate> {
+    let (approach, squared) = (offset.dot(velocity), velocity.norm_squared());
+    if approach.sign().is_ok_and(Ordering::is_ge) {
+        return None;
+    }
+    let nearest = offset.norm_squared() - &(approach.square() / &squared);
+    let double = reach.clone() + reach;
+    let length = (nearest - &reach.square()) / &double;
+    let is_open = length.sign().is_ok_and(Ordering::is_eq) || length.sign().is_err();
+    Some(Fate::Pass {
+        length: if is_open { 0.0 } else { length.to_f64().abs() },
+        reach: reach.to_f64(),
+        speed: squared.to_f64().sqrt(),
+    })
+}
+
+/// The exact state after the last true impact before a difference, and its time.
+fn state(
+    scene: &Scene,
+    end: &Number,
+    bits: u32,
+    difference: &Difference,
+) -> Option<(World<Exact>, Exact)> {
+    let mut playback = Playback::<Exact>::until(scene, end, bits).ok()?;
+    for impact in playback.impacts().take(difference.followed) {
+        impact.ok()?;
+    }
+    let mut world = World::new(scene, bits);
+    world.discs = playback.discs();
+    Some((world, playback.time().clone()))
+}

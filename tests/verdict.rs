@@ -1,0 +1,154 @@
+//! Logs of other programs, judged: by hand, and by what carom's own algorithms are known to
+//! do.
+
+use std::ops::ControlFlow::Continue;
+
+use carom::body::{BodyId, Pair};
+use carom::judge::{Logged, Margin, Reference, Standing, Verdict};
+use carom::run::{Options, run};
+use carom::scene::generate::gas;
+use carom::scene::{Disc, Scene, SceneBuilder};
+use carom::simulation::Algorithm;
+
+/// d0 and d2 come to d1, which rests, from two sides: d0 touches it at 1, d2 later by so
+/// many ulps of 1.
+fn pinched(ulps: f64) -> Scene {
+    let far = 3.0 + ulps * f64::EPSILON;
+    let disc = |x: f64, speed: f64| Disc::at([x, 0.0], 1).velocity([speed, 0.0]);
+    let discs = [disc(-3.0, 1.0), disc(0.0, 0.0), disc(far, -1.0)];
+    scene(Scene::builder("pinched").discs(discs).frame(2, 1))
+}
+
+fn scene(scene: SceneBuilder) -> Scene {
+    scene.build().expect("a valid scene")
+}
+
+fn met(a: u32, b: BodyId, time: f64) -> Logged {
+    Logged {
+        pair: Pair::new(BodyId::Disc(a), b),
+        time,
+        tie: None,
+    }
+}
+
+fn discs(a: u32, b: u32, time: f64) -> Logged {
+    met(a, BodyId::Disc(b), time)
+}
+
+fn judged(scene: &Scene, log: &[Logged]) -> Verdict {
+    let reference = Reference::find(scene, &Options::default(), &mut |_| Continue(()));
+    reference.expect("a scene of the timeline").judge(log)
+}
+
+/// Equal masses swap velocities: d1 goes on to d2, and comes back to d0.
+#[test]
+fn the_truth_follows_itself() {
+    let scene = pinched(256.0);
+    let reference = Reference::find(&scene, &Options::default(), &mut |_| Continue(())).unwrap();
+    let truth: Vec<_> = reference.impacts().iter().map(Logged::from).collect();
+    let pairs: Vec<_> = truth.iter().map(|impact| impact.pair.to_string()).collect();
+    assert_eq!(pairs, ["d0 and d1", "d1 and d2", "d0 and d1"]);
+    let verdict = reference.judge(&truth);
+    assert_eq!(verdict.standing, Standing::Follows);
+    assert_eq!((verdict.matched, verdict.difference), (3, None));
+}
+
+/// 256 ulps can be told apart; two cannot be asked of binary64, and at one time it is a
+/// matter of convention who is first.
+#[test]
+fn an_order_is_judged_by_its_margin() {
+    let swapped = [discs(1, 2, 1.0), discs(0, 1, 1.0), discs(1, 2, 1.0)];
+    let standing = |ulps| judged(&pinched(ulps), &swapped).standing;
+    assert_eq!(standing(256.0), Standing::Differs);
+    assert_eq!(standing(2.0), Standing::Close);
+    assert_eq!(standing(0.0), Standing::Simultaneous);
+}
+
+#[test]
+fn a_margin_is_the_time_between_two_impacts() {
+    let swapped = [discs(1, 2, 1.0), discs(0, 1, 1.0)];
+    let verdict = judged(&pinched(256.0), &swapped);
+    let Some(Margin::Order { apart, ulps, .. }) = verdict.margin else {
+        panic!("an order: {:?}", verdict.margin);
+    };
+    assert_eq!((apart, ulps), (256.0 * f64::EPSILON, 256.0));
+    assert_eq!(verdict.missed, Some(0));
+}
+
+/// d0 passes above d1, which rests: by how much, in ulps of 2.
+fn passing(ulps: f64) -> Scene {
+    let passer = Disc::at([-4.0, 2.0 + ulps * 2.0 * f64::EPSILON], 1).velocity([1, 0]);
+    let discs = [passer, Disc::at([0, 0], 1)];
+    scene(Scene::builder("passing").discs(discs).frame(8, 1))
+}
+
+#[test]
+fn a_pass_is_judged_by_its_margin() {
+    let invented = [discs(0, 1, 4.0)];
+    let verdict = |ulps| judged(&passing(ulps), &invented);
+    assert_eq!(verdict(0.0).standing, Standing::Tangent);
+    assert_eq!(verdict(2.0).standing, Standing::Close);
+    let far = verdict(4096.0);
+    assert_eq!(far.standing, Standing::Differs);
+    let Some(Margin::Room { ulps, .. }) = far.margin else {
+        panic!("room: {:?}", far.margin);
+    };
+    // d² - R² = (R + m)² - R² is 2 R m and m², which is left out.
+    approx::assert_relative_eq!(ulps, 4096.0, max_relative = 1e-9);
+    // Who truly meets, and is missed, is judged likewise.
+    assert_eq!(judged(&passing(-2.0), &[]).standing, Standing::Close);
+    assert_eq!(judged(&passing(-4096.0), &[]).standing, Standing::Differs);
+}
+
+/// A wall stops d0; a log that has it go through says nothing more of it.
+#[test]
+fn what_is_missed_is_told() {
+    let ball = Disc::at([0, 0], 1).velocity([1, 0]);
+    let room = Scene::builder("room").disc(ball).wall([3, -9], [3, 9]);
+    let verdict = judged(&scene(room.frame(4, 1)), &[]);
+    assert_eq!(verdict.standing, Standing::Differs);
+    let difference = verdict.difference.expect("a difference");
+    let wall = Pair::new(BodyId::Disc(0), BodyId::Wall(0));
+    assert_eq!(difference.truth, Some((wall, 2.0)));
+    assert_eq!((difference.candidate, verdict.missed), (None, Some(0)));
+}
+
+/// A program that tells of a contact in each of its steps.
+#[test]
+fn contacts_told_again_are_no_collisions() {
+    let log = [
+        discs(0, 1, 1.0),
+        discs(0, 1, 1.01),
+        discs(1, 2, 1.02),
+        discs(1, 2, 1.03),
+    ];
+    let verdict = judged(&pinched(256.0), &log[..]);
+    assert_eq!(verdict.repeats, 2);
+    // d1 comes back to d0, which the log has not.
+    assert_eq!((verdict.standing, verdict.matched), (Standing::Differs, 2));
+}
+
+/// Binary64 follows a gas for some hundred impacts, and is not blamed for what comes
+/// then; steps of a frame err at once.
+#[test]
+fn binary64_is_not_blamed_for_chaos() {
+    let dense = gas(7, 10, 0.3).expect("a scene").to_builder();
+    let dense = scene(dense.frame(1, 40));
+    let of = |algorithm| {
+        let outcome = run::<f64>(
+            &dense,
+            algorithm,
+            &Options::default(),
+            &mut |_| Continue(()),
+        );
+        let impacts = outcome.expect("a scene of all algorithms").impacts;
+        let log: Vec<_> = impacts.iter().map(Logged::from).collect();
+        judged(&dense, &log)
+    };
+    let timeline = of(Algorithm::Timeline);
+    assert_eq!(timeline.standing, Standing::Beyond);
+    assert!(timeline.matched > 100, "{}", timeline.matched);
+    let steps = of(Algorithm::Retroactive { substeps: 1 });
+    assert_eq!(steps.standing, Standing::Differs);
+    assert!(steps.matched < timeline.matched / 2);
+}
