@@ -21,6 +21,7 @@ pub mod contacts;
 pub mod detect;
 pub mod effects;
 pub mod filtered;
+pub mod first_impact;
 pub mod frame;
 pub mod impact;
 pub mod judge;

@@ -12,6 +12,7 @@ mod enclosures;
 mod error_bounds;
 mod families;
 mod filtered;
+mod first_impact;
 mod frame_laws;
 mod gravity_laws;
 mod hard_cases;
