@@ -113,6 +113,20 @@ fn what_is_missed_is_told() {
     assert_eq!((difference.candidate, verdict.missed), (None, Some(0)));
 }
 
+/// A wall's ends are as far from the path as the radius: it passes them in tangency, and
+/// yet it meets the wall. A path that clips an end by little is another matter.
+#[test]
+fn a_wall_is_not_missed_by_little() {
+    let met = |height: f64| {
+        let ball = Disc::at([0.0, height], 1).velocity([1, 0]);
+        let room = Scene::builder("room").disc(ball).wall([3, -1], [3, 1]);
+        judged(&scene(room.frame(9, 1)), &[]).standing
+    };
+    assert_eq!(met(0.0), Standing::Differs);
+    assert_eq!(met(2.0 - f64::EPSILON), Standing::Close);
+    assert_eq!(met(1.5), Standing::Differs);
+}
+
 /// A program that tells of a contact in each of its steps.
 #[test]
 fn contacts_told_again_are_no_collisions() {

@@ -12,6 +12,7 @@ mod exit;
 mod fuzz_check;
 mod generate;
 mod interrupt;
+mod oracle;
 mod output;
 mod progress;
 mod run;
@@ -43,6 +44,7 @@ enum Command {
     Run(run::Arguments),
     Compare(compare::Arguments),
     Check(check::Arguments),
+    Oracle(oracle::Arguments),
     Validate(validate::Arguments),
     Generate(generate::Arguments),
     FuzzCheck(fuzz_check::Arguments),
@@ -67,6 +69,7 @@ impl Command {
             Self::Run(arguments) => run::execute(arguments),
             Self::Compare(arguments) => compare::execute(arguments),
             Self::Check(arguments) => check::execute(arguments),
+            Self::Oracle(arguments) => oracle::execute(arguments),
             Self::Validate(arguments) => Ok(validate::execute(arguments)),
             Self::Generate(arguments) => generate::execute(arguments),
             Self::FuzzCheck(arguments) => fuzz_check::execute(arguments),

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 
 use super::decimal::{self, Direction};
 use crate::arithmetic::Arithmetic;
+use crate::first_impact::Quadratic;
 use crate::run::Accumulation;
 use crate::scalar::{Scalar, nearest_binary64};
 
@@ -70,6 +71,20 @@ impl Bounds {
         let (lo, hi) = value.enclosure()?;
         let nearest = nearest_between(&lo, &hi, value);
         Some(Self::between(nearest, &lo, &hi, digits))
+    }
+
+    /// The bounds of a number in closed form, with so many correct digits.
+    pub fn of_quadratic(value: &Quadratic, digits: u32) -> Self {
+        let mut bits = u64::from(digits.saturating_add(GUARD_DIGITS)) * 4;
+        loop {
+            let (lo, hi) = value.enclosure(bits);
+            let [low, high] = [&lo, &hi].map(nearest_binary64);
+            // An irrational number is not the middle of two binary64 numbers.
+            if low == high {
+                return Self::between(finite(low), &lo, &hi, digits);
+            }
+            bits *= 2;
+        }
     }
 
     fn between(nearest: f64, lo: &BigRational, hi: &BigRational, digits: u32) -> Self {

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use carom::judge::{Logged, Reference, Verdict};
-use carom::log::{Judgement, Log, MIN_DIGITS};
+use carom::log::{Event, Judgement, Log, MIN_DIGITS};
 use carom::run::Options;
 use carom::scalar::{Exact, Number};
 use carom::scene::Scene;
@@ -63,7 +63,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     };
     check_support::<Exact>(&scene, Algorithm::Timeline).map_err(unsupported)?;
     let log = read(&arguments.events)?;
-    let log = logged(&scene, &log).map_err(|reason| Error::Log {
+    let log = logged(&scene, &log.events).map_err(|reason| Error::Log {
         file: arguments.events.display().to_string(),
         reason,
     })?;
@@ -139,8 +139,8 @@ fn read(path: &Path) -> Result<Log, Error> {
 }
 
 /// The impacts of a log, all of which must be of the scene's bodies.
-pub(super) fn logged(scene: &Scene, log: &Log) -> Result<Vec<Logged>, String> {
-    let events = log.events.iter().enumerate();
+pub(super) fn logged(scene: &Scene, events: &[Event]) -> Result<Vec<Logged>, String> {
+    let events = events.iter().enumerate();
     let logged = events.map(|(place, event)| {
         let impact = Logged::from(event);
         match impact.is_of(scene) {

@@ -222,8 +222,8 @@ impl<'a> Couple<'a> {
         Ok(met.filter(|met| !met.graze).map(|met| met.delay))
     }
 
-    /// How they pass, where they come nearest: a wall at its nearer end, for its
-    /// interior is either met or far.
+    /// How they pass, where they come nearest: a wall at an end, unless the path crosses
+    /// it.
     fn nearest(&self) -> Option<Fate> {
         match self {
             Self::Discs([one, other]) => {
@@ -231,6 +231,11 @@ impl<'a> Couple<'a> {
                 let (offset, velocity) = relative(one, other);
                 passage(&offset, &velocity, &reach)
             }
+            Self::Wall(disc, wall) if crosses(disc, wall) => Some(Fate::Pass {
+                length: disc.radius.to_f64(),
+                reach: disc.radius.to_f64(),
+                speed: disc.velocity.norm_squared().to_f64().sqrt(),
+            }),
             Self::Wall(disc, wall) => {
                 let ends = [End::From, End::To].map(|end| {
                     let offset = disc.position.minus(wall.end(end));
@@ -247,6 +252,17 @@ impl<'a> Couple<'a> {
 fn relative(one: &Disc<Exact>, other: &Disc<Exact>) -> (Vec2<Exact>, Vec2<Exact>) {
     let offset = other.position.minus(&one.position);
     (offset, other.velocity.minus(&one.velocity))
+}
+
+/// Whether a disc's centre gets to a wall: to binary64, for then it is far from the ends.
+fn crosses(disc: &Disc<Exact>, wall: &Segment<Exact>) -> bool {
+    let offset = disc.position.minus(&wall.from);
+    let side = offset.cross(&wall.along).to_f64();
+    let drift = disc.velocity.cross(&wall.along).to_f64();
+    let [start, speed] = [&offset, &disc.velocity].map(|vector| vector.dot(&wall.along).to_f64());
+    let time = -side / drift;
+    let foot = (start + speed * time) / wall.length_squared.to_f64();
+    time > 0.0 && (0.0..=1.0).contains(&foot)
 }
 
 /// How a point that moves passes a circle about the origin, if it comes nearer: its least
