@@ -9,6 +9,7 @@ mod table;
 mod truth;
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use carom::scalar::Exact;
 use carom::scene::Scene;
@@ -23,9 +24,16 @@ use super::exit::Exit;
 use super::output::{Output, is_standard, standard};
 use super::progress;
 use candidate::{Candidate, Selection};
+use cost::{Effort, in_turn};
 use report::Report;
 use row::Row;
 use truth::Truth;
+
+/// What goes into the costs of a scene's candidates.
+const EFFORT: Effort = Effort {
+    share: Duration::from_millis(500),
+    rounds: 15,
+};
 
 /// Compare algorithms and arithmetics with what truly happens.
 ///
@@ -150,16 +158,15 @@ impl Arguments {
         let budget = self.budget.budget();
         check(scene, candidates)?;
         let truth = Truth::find(scene, &budget)?;
-        let costs: Vec<_> = candidates
-            .iter()
-            .map(|candidate| candidate.cost_alone(scene))
-            .collect();
+        let runners = candidates.iter();
+        let mut runners: Vec<_> = runners.map(|all| all.runner(scene, &budget)).collect();
+        let costs = in_turn(runners.len(), EFFORT, |index| runners[index].time());
         let bar = progress::stages(candidates.len() as u64);
         let jobs = candidates.par_iter().zip(costs);
         let rows = jobs.map(|(candidate, cost)| {
-            let row = Row::judge(scene, *candidate, &truth, &budget);
+            let judged = candidate.judge_and_split(scene, &budget)?;
             bar.inc(1);
-            row.map(|row| row.with_cost(cost))
+            Ok(Row::new(scene, *candidate, &truth, judged).with_cost(cost))
         });
         let rows: Result<Vec<_>, _> = rows.collect();
         bar.finish_and_clear();
