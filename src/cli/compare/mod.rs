@@ -3,6 +3,7 @@
 
 mod candidate;
 mod cost;
+mod page;
 mod report;
 mod row;
 mod table;
@@ -25,6 +26,7 @@ use super::output::{Output, is_standard, standard};
 use super::progress;
 use candidate::{Candidate, Selection};
 use cost::{Effort, in_turn};
+use page::Study;
 use report::Report;
 use row::Row;
 use truth::Truth;
@@ -43,6 +45,7 @@ const EFFORT: Effort = Effort {
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   carom compare scenes/table1-full.json
+  carom compare scenes/table1-full.json --html report.html
   carom compare scenes/*.json --algorithms timeline --arithmetics f64 --fail-on missed,spurious")]
 pub(super) struct Arguments {
     /// The scenes; - is standard input.
@@ -52,6 +55,10 @@ pub(super) struct Arguments {
     /// table.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Where the results go as a page that needs nothing else, with figures; it also
+    /// has runs of changed scenes, which take a while.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// End with status 1 if a candidate has any of these.
     #[arg(long, value_name = "VERDICT", value_delimiter = ',')]
     fail_on: Vec<Verdict>,
@@ -118,10 +125,12 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let scenes: Vec<_> = paths.map(Scene::read).collect::<Result<_, _>>()?;
     let json = arguments.json.as_deref();
     let json = json.map(Output::open).transpose()?;
+    let html = arguments.html.as_deref();
+    let html = html.map(Output::open).transpose()?;
     let mut comparisons = Vec::new();
     for (scene, path) in scenes.into_iter().zip(&arguments.scenes) {
         let comparison = arguments.compare(scene, path)?;
-        if !arguments.json.as_deref().is_some_and(is_standard) {
+        if !arguments.writes_to_standard() {
             let text = table::render(&comparison);
             Output::open(&standard())?.write_text(&text)?;
         }
@@ -134,10 +143,27 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
             writer.write_all(b"\n")
         })?;
     }
+    if let Some(output) = html {
+        output.write_text(&arguments.page(&comparisons))?;
+    }
     Ok(arguments.judge(&comparisons))
 }
 
 impl Arguments {
+    /// Whether a report takes the place of the table.
+    fn writes_to_standard(&self) -> bool {
+        let reports = [&self.json, &self.html].into_iter().flatten();
+        reports.into_iter().any(|path| is_standard(path))
+    }
+
+    /// The page, with its runs of changed scenes.
+    fn page(&self, comparisons: &[Comparison]) -> String {
+        let (phase, budget) = (self.broad_phase.of_frames(), self.budget.budget());
+        let studies = comparisons.iter();
+        let studies = studies.map(|each| Study::run(each, &self.algorithms, phase, &budget));
+        page::page(comparisons, &studies.collect::<Vec<_>>(), phase)
+    }
+
     fn compare(&self, scene: Scene, path: &Path) -> Result<Comparison, Error> {
         let candidates = self.selection().candidates();
         self.run(&scene, &candidates)
