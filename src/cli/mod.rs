@@ -41,6 +41,7 @@ struct Arguments {
 enum Command {
     Run(run::Arguments),
     Compare(compare::Arguments),
+    Table1(compare::table1::Arguments),
     Validate(validate::Arguments),
     Generate(generate::Arguments),
     FuzzCheck(fuzz_check::Arguments),
@@ -64,6 +65,7 @@ impl Command {
         match self {
             Self::Run(arguments) => run::execute(arguments),
             Self::Compare(arguments) => compare::execute(arguments),
+            Self::Table1(arguments) => compare::table1::execute(arguments),
             Self::Validate(arguments) => Ok(validate::execute(arguments)),
             Self::Generate(arguments) => generate::execute(arguments),
             Self::FuzzCheck(arguments) => fuzz_check::execute(arguments),

@@ -51,6 +51,9 @@ pub struct Split {
     pub algorithm: Tally,
     /// The candidate, against the algorithm in exact arithmetic.
     pub rounding: Tally,
+    /// The frames that are in neither part, for in them exact arithmetic leaves a
+    /// decision of the algorithm open, such as a tie.
+    pub undecided: u64,
 }
 
 /// Runs a candidate and judges each frame from the candidate's own state at
@@ -270,9 +273,13 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
             return Ok(());
         }
         let exact = self.decide(|bits| self.exact_frame(start, bits))?;
-        if let (Some(exact), Some(split)) = (exact, &mut self.judged.split) {
-            split.rounding += found.tally(&exact);
-            split.algorithm += Found::from(exact).tally(truth);
+        match (exact, &mut self.judged.split) {
+            (Some(exact), Some(split)) => {
+                split.rounding += found.tally(&exact);
+                split.algorithm += Found::from(exact).tally(truth);
+            }
+            (None, Some(split)) => split.undecided += 1,
+            (_, None) => {}
         }
         Ok(())
     }

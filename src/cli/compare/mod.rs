@@ -7,11 +7,13 @@ mod page;
 mod report;
 mod row;
 mod table;
+pub(super) mod table1;
 mod truth;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use carom::arithmetic::Budget;
 use carom::scalar::Exact;
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
@@ -120,6 +122,35 @@ struct Comparison {
     rows: Vec<Row>,
 }
 
+impl Comparison {
+    /// The truth and the time that each takes alone, then all judgements side
+    /// by side.
+    fn new(
+        scene: Scene,
+        candidates: &[Candidate],
+        effort: Effort,
+        budget: &Budget,
+    ) -> Result<Self, Unsupported> {
+        check(&scene, candidates)?;
+        let truth = Truth::find(&scene, budget)?;
+        let runners = candidates.iter();
+        let mut runners: Vec<_> = runners.map(|all| all.runner(&scene, budget)).collect();
+        let costs = in_turn(runners.len(), effort, |index| runners[index].time());
+        drop(runners);
+        let bar = progress::stages(candidates.len() as u64);
+        let jobs = candidates.par_iter().zip(costs);
+        let rows = jobs.map(|(candidate, cost)| {
+            let judged = candidate.judge_and_split(&scene, budget)?;
+            bar.inc(1);
+            Ok(Row::new(&scene, *candidate, &truth, judged).with_cost(cost))
+        });
+        let rows: Result<Vec<_>, _> = rows.collect();
+        bar.finish_and_clear();
+        let rows = rows?;
+        Ok(Self { scene, truth, rows })
+    }
+}
+
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let paths = arguments.scenes.iter();
     let scenes: Vec<_> = paths.map(Scene::read).collect::<Result<_, _>>()?;
@@ -166,37 +197,11 @@ impl Arguments {
 
     fn compare(&self, scene: Scene, path: &Path) -> Result<Comparison, Error> {
         let candidates = self.selection().candidates();
-        self.run(&scene, &candidates)
-            .map(|(truth, rows)| Comparison { scene, truth, rows })
-            .map_err(|reason| Error::Unsupported {
-                file: path.display().to_string(),
-                reason,
-            })
-    }
-
-    /// The truth and the time that each takes alone, then all judgements side
-    /// by side.
-    fn run(
-        &self,
-        scene: &Scene,
-        candidates: &[Candidate],
-    ) -> Result<(Truth, Vec<Row>), Unsupported> {
-        let budget = self.budget.budget();
-        check(scene, candidates)?;
-        let truth = Truth::find(scene, &budget)?;
-        let runners = candidates.iter();
-        let mut runners: Vec<_> = runners.map(|all| all.runner(scene, &budget)).collect();
-        let costs = in_turn(runners.len(), EFFORT, |index| runners[index].time());
-        let bar = progress::stages(candidates.len() as u64);
-        let jobs = candidates.par_iter().zip(costs);
-        let rows = jobs.map(|(candidate, cost)| {
-            let judged = candidate.judge_and_split(scene, &budget)?;
-            bar.inc(1);
-            Ok(Row::new(scene, *candidate, &truth, judged).with_cost(cost))
-        });
-        let rows: Result<Vec<_>, _> = rows.collect();
-        bar.finish_and_clear();
-        Ok((truth, rows?))
+        let compared = Comparison::new(scene, &candidates, EFFORT, &self.budget.budget());
+        compared.map_err(|reason| Error::Unsupported {
+            file: path.display().to_string(),
+            reason,
+        })
     }
 
     fn selection(&self) -> Selection<'_> {

@@ -83,6 +83,7 @@ struct RowReport {
 struct SplitReport {
     algorithm: PartReport,
     rounding: PartReport,
+    undecided_frames: u64,
 }
 
 #[derive(Serialize)]
@@ -191,6 +192,7 @@ impl From<&Split> for SplitReport {
         Self {
             algorithm: PartReport::from(&split.algorithm),
             rounding: PartReport::from(&split.rounding),
+            undecided_frames: split.undecided,
         }
     }
 }

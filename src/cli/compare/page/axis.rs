@@ -157,6 +157,7 @@ impl Laid {
 fn usual_ticks(low: f64, high: f64) -> Vec<f64> {
     let decades = low.floor() as i32..=high.ceil() as i32;
     let between: &[f64] = match high - low {
+        span if span < 0.9 => &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0],
         span if span < 2.2 => &[1.0, 2.0, 5.0],
         _ => &[1.0],
     };
@@ -182,7 +183,8 @@ fn round_step(length: f64) -> f64 {
 /// A count or a size, as a power of ten where it is very large or small.
 pub(super) fn plain(value: f64) -> String {
     let decade = value.log10();
-    if value != 0.0 && (value < 1e-3 || value >= 1e5) && (decade - decade.round()).abs() < 1e-6 {
+    let is_moderate = value == 0.0 || (1e-2..1e5).contains(&value);
+    if !is_moderate && (decade - decade.round()).abs() < 1e-6 {
         return power_of_ten(decade.round() as i32);
     }
     let rounded = (value * 1e4).round() / 1e4;

@@ -12,6 +12,9 @@ use crate::cli::choice::ArithmeticName;
 /// Text and axes.
 pub(crate) const INK: RGBColor = RGBColor(1, 0, 0);
 
+/// What all is drawn on.
+pub(crate) const CARD: RGBColor = RGBColor(1, 0, 4);
+
 /// What explains.
 pub(crate) const PALE: RGBColor = RGBColor(1, 0, 1);
 
@@ -32,8 +35,9 @@ const SYNCHRONISED: RGBColor = RGBColor(1, 0, 23);
 const TIMELINE: RGBColor = RGBColor(1, 0, 24);
 
 /// A colour that stands for a name, and what the name is.
-const NAMES: [(RGBColor, &str); 12] = [
+const NAMES: [(RGBColor, &str); 13] = [
     (INK, "ink"),
+    (CARD, "card"),
     (PALE, "pale"),
     (GRID, "grid"),
     (PAPER, "paper"),

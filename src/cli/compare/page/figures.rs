@@ -100,8 +100,9 @@ fn against_time(rows: &[Row], y: Axis, of: impl Fn(&Row) -> f64) -> Figure {
         marker: colour::of_arithmetic(row.candidate.arithmetic),
         is_joined: false,
         points: vec![Spot {
-            at: *at,
             label: best.contains(&index).then(|| name(row)),
+            is_below: best.iter().position(|of| *of == index) == Some(1),
+            ..Spot::new(*at)
         }],
     });
     Figure {
@@ -125,7 +126,8 @@ pub(super) fn parts(rows: &[Row]) -> Markup {
             p { "From the candidate's own state at the start of each frame, the same algorithm takes
                 that frame once more in exact arithmetic. Where that differs from the truth, the
                 algorithm errs; where the candidate differs from that, its rounding does. Both count
-                from the candidate's states, so chaos does not swamp them." }
+                from the candidate's states, so chaos does not swamp them. Left out are frames
+                in which exact arithmetic leaves a decision of the algorithm open." }
             (table::parts(&split))
         }
     }
@@ -146,7 +148,7 @@ impl Kind {
         match self {
             Self::Passes => "One pass of multiple is single.",
             Self::Substeps => {
-                "retroactive steps, tests for overlap and resolves, so often a frame."
+                "So often a frame, retroactive moves all discs, tests for overlap and resolves it."
             }
             Self::FrameLength => {
                 "The same time in shorter and longer frames, as multiples of the scene's. Each is
@@ -230,12 +232,8 @@ fn one_sweep(sweep: &Sweep) -> Markup {
 }
 
 fn line(name: AlgorithmName, points: &[Point], of: &dyn Fn(&Point) -> Option<f64>) -> Series {
-    let spots = points.iter().filter_map(|point| {
-        Some(Spot {
-            at: [point.value, of(point)?],
-            label: None,
-        })
-    });
+    let spots = points.iter();
+    let spots = spots.filter_map(|point| Some(Spot::new([point.value, of(point)?])));
     Series {
         colour: colour_of(name),
         marker: Marker::Circle,
@@ -354,8 +352,8 @@ fn proofs(proofs: &[Proof], of: impl Fn(&Proof) -> ([f64; 2], String)) -> Series
     let spots = proofs.iter().map(|proof| {
         let (at, label) = of(proof);
         Spot {
-            at,
             label: Some(label),
+            ..Spot::new(at)
         }
     });
     Series {

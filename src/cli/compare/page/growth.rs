@@ -84,7 +84,7 @@ fn prove(scene: &Scene, budget: Budget) -> Option<Proof> {
     let outcome = run::<Exact>(scene, Algorithm::Timeline, &options, &mut |_| Continue(()));
     let outcome = outcome.ok()?;
     let seconds = begun.elapsed().as_secs_f64();
-    (outcome.status == Status::Complete).then(|| Proof {
+    (outcome.status == Status::Complete).then_some(Proof {
         impacts: outcome.impacts.len(),
         bits: outcome.precision,
         seconds,

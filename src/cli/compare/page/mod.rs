@@ -8,7 +8,7 @@ mod figures;
 mod frontier;
 mod growth;
 mod machine;
-mod plot;
+pub(super) mod plot;
 mod sweep;
 mod table;
 pub(crate) mod units;
@@ -21,8 +21,9 @@ use self::growth::Growth;
 use self::machine::Machine;
 use self::sweep::{Kind, Sweep};
 use self::units::duration;
-use super::Comparison;
+use super::row::Row;
 use super::truth::Truth;
+use super::{Comparison, table1};
 use crate::cli::choice::AlgorithmName;
 
 const STYLE: &str = include_str!("style.css");
@@ -64,6 +65,7 @@ pub(super) fn page(comparisons: &[Comparison], studies: &[Study], phase: BroadPh
         nav { @for comparison in comparisons {
             a href={ "#" (comparison.scene.id()) } { (comparison.scene.id()) }
         } a href="#method" { "method" } }
+        (redone(comparisons))
         @for (comparison, study) in comparisons.iter().zip(studies) {
             (section(comparison, study))
         }
@@ -83,6 +85,19 @@ pub(super) fn page(comparisons: &[Comparison], studies: &[Study], phase: BroadPh
         }
     };
     markup.into_string()
+}
+
+/// The paper's Table 1, where its two scenes are compared.
+fn redone(comparisons: &[Comparison]) -> Markup {
+    let picture = table1::of_comparisons(comparisons);
+    html! {
+        @if let Some(picture) = picture {
+            section id="table-1" {
+                h2 { "The paper's Table 1, redone" }
+                div.wide { (PreEscaped(plot::for_page(&picture))) }
+            }
+        }
+    }
 }
 
 fn section(comparison: &Comparison, study: &Study) -> Markup {
@@ -105,6 +120,7 @@ fn section(comparison: &Comparison, study: &Study) -> Markup {
             (figures::legend_of(rows))
             (figures::pareto(rows))
             (table::candidates(rows))
+            (failures(rows))
             p.pale { "Each frame is judged from the candidate's own state at its start, taken exactly.
                 Energy: of a frame's end, against its truth. Overlaps: pairs at the ends of all
                 frames, decided exactly, by however little they overlap." }
@@ -125,6 +141,16 @@ fn ending(truth: &Truth) -> Markup {
             p { "Undecided from t = " (truth.reached) " on: " (open.to_string()) }
         }
         @if let Some(end) = &truth.accumulation { p { "Accumulation: " (end.to_string()) } }
+    }
+}
+
+/// The candidates that could not be run to their ends, which are not in the figures.
+fn failures(rows: &[Row]) -> Markup {
+    html! {
+        @for row in rows { @if let Some(failure) = &row.failure {
+            p { (row.candidate) " " (row.candidate.arithmetic_name()) " ends after frame "
+                (row.frames) ", and is not in the figures: " (failure) }
+        } }
     }
 }
 

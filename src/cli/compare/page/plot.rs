@@ -30,6 +30,19 @@ pub(super) struct Series {
 pub(super) struct Spot {
     pub(super) at: [f64; 2],
     pub(super) label: Option<String>,
+    /// Whether it is written below the point rather than above.
+    pub(super) is_below: bool,
+}
+
+impl Spot {
+    /// A point with nothing beside it.
+    pub(super) fn new(at: [f64; 2]) -> Self {
+        Self {
+            at,
+            label: None,
+            is_below: false,
+        }
+    }
 }
 
 /// A figure.
@@ -202,10 +215,14 @@ impl Series {
                 true => (HPos::Right, -8),
                 false => (HPos::Left, 8),
             };
+            let (end, drop) = match spot.is_below {
+                true => (VPos::Top, 5),
+                false => (VPos::Bottom, -4),
+            };
             let font = ("sans-serif", LETTERS - 1).into_font().color(&self.colour);
-            let style = font.pos(Pos::new(side, VPos::Bottom));
+            let style = font.pos(Pos::new(side, end));
             let label = spot.label.clone()?;
-            Some(EmptyElement::at(at) + Text::new(label, (shift, -3), style))
+            Some(EmptyElement::at(at) + Text::new(label, (shift, drop), style))
         });
         chart.draw_series(labels)?;
         Ok(())

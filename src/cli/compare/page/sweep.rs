@@ -30,8 +30,8 @@ const DISC_FRAMES: f64 = 40_000.0;
 
 /// What goes into the costs of the points of a sweep.
 const EFFORT: Effort = Effort {
-    share: Duration::from_millis(60),
-    rounds: 7,
+    share: Duration::from_millis(100),
+    rounds: 9,
 };
 
 /// What is changed.

@@ -48,7 +48,8 @@ fn candidate(row: &Row, is_first: bool) -> Markup {
     html! {
         tr.first[is_first] data-algorithm=(row.candidate) data-arithmetic=(arithmetic) {
             th.name { (row.candidate) }
-            td.name { (arithmetic) }
+            td.name { (arithmetic)
+                @if row.failure.is_some() { small { "ends after frame " (row.frames) } } }
             td { (duration(row.seconds_a_frame()))
                  small { (duration(low)) " – " (duration(high)) } }
             td { (row.seconds_an_impact().map(duration).unwrap_or_default()) }
@@ -86,15 +87,16 @@ pub(super) fn parts(rows: &[&Row]) -> Markup {
         div.wide { table {
             thead {
                 tr { th.name { "" } th.name { "" }
-                     th colspan="4" { "the algorithm's part" } th colspan="4" { "rounding's part" } }
+                     th colspan="4" { "the algorithm's part" } th colspan="4" { "rounding's part" } th { "" } }
                 tr { th.name { "algorithm" } th.name { "arithmetic" }
                      @for _ in 0..2 {
                          th { "missed" } th { "spurious" } th { "misordered" } th { "position error" }
-                     } }
+                     } th { "frames left out" } }
             }
             tbody { @for row in rows { @if let Some(split) = &row.split {
                 tr { th.name { (row.candidate) } td.name { (row.candidate.arithmetic_name()) }
-                     (part(&split.algorithm)) (part(&split.rounding)) }
+                     (part(&split.algorithm)) (part(&split.rounding))
+                     td.zero[split.undecided == 0] { (split.undecided) } }
             } } }
         } }
     }
