@@ -345,7 +345,25 @@ pub(super) fn growth(growth: &Growth) -> Markup {
                         "The same impacts, with as many bits as they take and with more."))
             }
         }
+        details { summary { "the numbers" } (proof_numbers(growth)) }
     }
+}
+
+fn proof_numbers(growth: &Growth) -> Markup {
+    let headings = ["run", "impacts", "bits", "time, all attempts", "an impact"];
+    let kinds = [
+        ("more impacts", &growth.longer),
+        ("more bits", &growth.wider),
+    ];
+    let rows = kinds.into_iter().flat_map(|(name, proofs)| {
+        proofs.iter().map(move |proof| {
+            let each = proof.seconds / proof.impacts as f64;
+            let counts = [proof.impacts.to_string(), proof.bits.to_string()];
+            let times = [proof.seconds, each].map(duration);
+            (name.to_owned(), counts.into_iter().chain(times).collect())
+        })
+    });
+    table::numbers(&headings.map(String::from), &rows.collect::<Vec<_>>())
 }
 
 fn proofs(proofs: &[Proof], of: impl Fn(&Proof) -> ([f64; 2], String)) -> Series {

@@ -17,7 +17,7 @@ pub(super) struct Column<'a> {
     pub(super) paper: [(Algorithm, f64); 2],
 }
 
-const WIDTH: i32 = 1040;
+const WIDTH: i32 = 1070;
 const MARGIN: i32 = 20;
 /// The height of a row.
 const ROW: i32 = 32;
@@ -25,7 +25,7 @@ const ROW: i32 = 32;
 const TOP: i32 = 132;
 const BELOW: i32 = 56;
 /// The width of the names of the rows.
-const NAMES: i32 = 150;
+const NAMES: i32 = 180;
 /// The width of a scene's part.
 const PART: i32 = (WIDTH - 2 * MARGIN - NAMES) / 2;
 /// The width of the longest bar.
@@ -185,7 +185,7 @@ impl Column<'_> {
         let [(_, single), _] = self.paper;
         let mut found = self.paper.iter();
         let (_, time) = found.find(|(algorithm, _)| *algorithm == row.candidate.algorithm)?;
-        Some(format!("{time:.2}, {:.2}", time / single))
+        Some(format!("{time:.2} ({:.2})", time / single))
     }
 }
 
@@ -197,7 +197,7 @@ fn legend<'b>(area: &Area<'b>, middle: i32) -> Drawn<'b> {
         area.draw(&Rectangle::new(ends, colour.filled()))?;
         write(area, (left + 18, middle), name, 16, PALE, HPos::Left)?;
     }
-    let paper = "ratio: to one pass. The paper: ms and ratio, Java 6 on a Core 2 Duo E6600, 2009";
+    let paper = "ratio: to one pass. The paper: ms (ratio), Java 6 on a Core 2 Duo E6600, 2009";
     write(area, (WIDTH - MARGIN, middle), paper, 16, PALE, HPos::Right)
 }
 
