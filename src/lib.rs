@@ -17,6 +17,7 @@ pub mod arithmetic;
 pub mod body;
 pub mod broad_phase;
 pub mod check;
+mod conserved;
 pub mod contacts;
 pub mod detect;
 pub mod effects;

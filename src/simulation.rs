@@ -181,6 +181,31 @@ impl<S: Timed> Frames<S> {
     }
 }
 
+/// A frame's impacts, and the discs at its end.
+type Stepped<S> = (Vec<Impact<S>>, Vec<Disc<S>>);
+
+/// A single frame of a frame algorithm, from any state of a world.
+///
+/// # Errors
+///
+/// The arithmetic leaves a decision open.
+pub(crate) fn lone_frame<S: Arithmetic>(
+    world: World<S>,
+    algorithm: Algorithm,
+    effects: &scene::Effects,
+    frame: &Frame<S>,
+    precision: S::Precision,
+) -> Result<Stepped<S>, S::Doubt> {
+    let mut frames = Frames {
+        world,
+        algorithm,
+        forces: Forces::of(effects, precision),
+        candidates: Candidates::default(),
+    };
+    let impacts = frames.step(frame)?;
+    Ok((impacts, frames.world.discs))
+}
+
 /// The exact times at which frames start.
 #[derive(Clone, Debug)]
 pub struct FrameClock {

@@ -117,6 +117,9 @@ mod refusing;
 #[path = "cli/comparing.rs"]
 mod comparing;
 
+#[path = "cli/paging.rs"]
+mod paging;
+
 #[path = "cli/making.rs"]
 mod making;
 

@@ -2,15 +2,17 @@
 
 use std::time::{Duration, Instant};
 
+use super::overlaps::{Overlaps, overlaps};
 use super::tally::{Logged, Tally, compare_frame};
 use super::truth::{Truth, true_frame};
 use crate::arithmetic::{Arithmetic, Budget, Shortfall};
 use crate::body::Disc;
+use crate::conserved::energy;
 use crate::contacts::Contacts;
 use crate::frame::BroadPhase;
 use crate::scalar::{Doubt, Exact, Scalar, Undecided};
 use crate::scene::Scene;
-use crate::simulation::{Algorithm, FrameClock, Simulation};
+use crate::simulation::{Algorithm, FrameClock, Simulation, lone_frame};
 use crate::support::{Unsupported, check_support};
 use crate::vec2::Vec2;
 use crate::world::World;
@@ -35,6 +37,23 @@ pub struct Judged {
     /// Whether it ended in infinitely many impacts instead. That frame is not
     /// judged.
     pub accumulates: bool,
+    /// The parts of the errors, if they were asked for, of a frame algorithm in
+    /// an arithmetic that rounds.
+    pub split: Option<Split>,
+}
+
+/// The errors of a frame algorithm, told apart frame by frame: from the
+/// candidate's own state at the start of a frame the same algorithm takes that
+/// frame in exact arithmetic, too.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Split {
+    /// The algorithm in exact arithmetic, against the truth.
+    pub algorithm: Tally,
+    /// The candidate, against the algorithm in exact arithmetic.
+    pub rounding: Tally,
+    /// The frames that are in neither part, for in them exact arithmetic leaves a
+    /// decision of the algorithm open, such as a tie.
+    pub undecided: u64,
 }
 
 /// Runs a candidate and judges each frame from the candidate's own state at
@@ -50,12 +69,42 @@ pub fn judge<S: Arithmetic>(
     phase: BroadPhase,
     budget: &Budget,
 ) -> Result<Judged, Unsupported> {
+    judge_as(Trial::<S>::new, scene, algorithm, phase, budget)
+}
+
+/// The same, and tells which part of the errors is the algorithm's.
+///
+/// # Errors
+///
+/// The scene asks for something that cannot be simulated.
+pub fn judge_and_split<S: Arithmetic>(
+    scene: &Scene,
+    algorithm: Algorithm,
+    phase: BroadPhase,
+    budget: &Budget,
+) -> Result<Judged, Unsupported> {
+    let is_split = S::ROUNDS && algorithm != Algorithm::Timeline;
+    let begin = |scene, algorithm, budget, precision| {
+        let mut trial = Trial::<S>::new(scene, algorithm, budget, precision);
+        trial.judged.split = is_split.then(Split::default);
+        trial
+    };
+    judge_as(begin, scene, algorithm, phase, budget)
+}
+
+fn judge_as<'a, S: Arithmetic>(
+    begin: impl Fn(&'a Scene, Algorithm, &'a Budget, S::Precision) -> Trial<'a, S>,
+    scene: &'a Scene,
+    algorithm: Algorithm,
+    phase: BroadPhase,
+    budget: &'a Budget,
+) -> Result<Judged, Unsupported> {
     check_support::<S>(scene, algorithm)?;
     check_support::<Exact>(scene, Algorithm::Timeline)?;
     let mut precision = S::first_precision(budget);
     loop {
-        let mut trial = Trial::<S>::new(scene, budget, precision);
-        let failure = trial.run(algorithm, phase).err();
+        let mut trial = begin(scene, algorithm, budget, precision);
+        let failure = trial.run(phase).err();
         let Some(failure) = failure else {
             return Ok(trial.judged);
         };
@@ -74,6 +123,7 @@ pub fn judge<S: Arithmetic>(
 /// One attempt at the judgement of a candidate.
 struct Trial<'a, S: Scalar> {
     scene: &'a Scene,
+    algorithm: Algorithm,
     budget: &'a Budget,
     precision: S::Precision,
     clock: FrameClock,
@@ -81,7 +131,12 @@ struct Trial<'a, S: Scalar> {
 }
 
 impl<'a, S: Arithmetic> Trial<'a, S> {
-    fn new(scene: &'a Scene, budget: &'a Budget, precision: S::Precision) -> Self {
+    fn new(
+        scene: &'a Scene,
+        algorithm: Algorithm,
+        budget: &'a Budget,
+        precision: S::Precision,
+    ) -> Self {
         let judged = Judged {
             tally: Tally::default(),
             frames: 0,
@@ -90,9 +145,11 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
             log: Vec::new(),
             failure: None,
             accumulates: false,
+            split: None,
         };
         Self {
             scene,
+            algorithm,
             budget,
             precision,
             clock: FrameClock::new(scene.frame()),
@@ -100,9 +157,9 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         }
     }
 
-    fn run(&mut self, algorithm: Algorithm, phase: BroadPhase) -> Result<(), Undecided> {
+    fn run(&mut self, phase: BroadPhase) -> Result<(), Undecided> {
         let begun = Instant::now();
-        let simulation = Simulation::<S>::new(self.scene, algorithm, self.precision);
+        let simulation = Simulation::<S>::new(self.scene, self.algorithm, self.precision);
         let simulation = simulation.map_err(Doubt::into_undecided)?;
         let mut simulation = simulation.with_broad_phase(phase);
         self.judged.cost += begun.elapsed();
@@ -121,24 +178,34 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         if self.judged.accumulates {
             return Ok(());
         }
-        let impacts: Vec<_> = impacts.iter().map(Logged::from).collect();
-        match self.truth(&discs, &contacts)? {
-            Some(truth) => self.tally(&truth, &impacts, &simulation.discs()),
+        let start = (&discs[..], &contacts);
+        let found = Found {
+            impacts: impacts.iter().map(Logged::from).collect(),
+            end: self.ending(simulation)?,
+        };
+        match self.decide(|bits| self.truth(start, bits))?.flatten() {
+            Some(truth) => {
+                self.judged.tally += found.tally(&truth);
+                self.split(start, &truth, &found)?;
+            }
             None => self.judged.undecided += 1,
         }
         self.judged.frames += 1;
-        self.judged.log.extend(impacts);
+        self.judged.log.extend(found.impacts);
         Ok(())
     }
 
-    /// What truly happens from a state of the candidate; none if that is
-    /// infinitely many impacts, or the budget does not suffice. Where the state itself is only enclosed, more bits
-    /// have to come from the candidate.
-    fn truth(&self, discs: &[Disc<S>], contacts: &Contacts) -> Result<Option<Truth>, Undecided> {
+    /// What is decided with as many bits as it takes; none if the budget does
+    /// not suffice. Where the state itself is only enclosed, more bits have to
+    /// come from the candidate.
+    fn decide<T>(
+        &self,
+        attempt: impl Fn(u32) -> Result<T, Undecided>,
+    ) -> Result<Option<T>, Undecided> {
         let mut bits = self.budget.first_bits;
         loop {
-            let failure = match self.attempt_truth(discs, contacts, bits) {
-                Ok(truth) => return Ok(truth),
+            let failure = match attempt(bits) {
+                Ok(decided) => return Ok(Some(decided)),
                 Err(failure) => failure,
             };
             if S::IS_DEAR {
@@ -155,12 +222,16 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         }
     }
 
-    fn attempt_truth(
-        &self,
-        discs: &[Disc<S>],
-        contacts: &Contacts,
-        bits: u32,
-    ) -> Result<Option<Truth>, Undecided> {
+    /// What truly happens from a state of the candidate; none if that is
+    /// infinitely many impacts.
+    fn truth(&self, start: State<'_, S>, bits: u32) -> Result<Option<Truth>, Undecided> {
+        let frame = self.clock.frame(self.judged.frames, bits);
+        let (world, effects) = (self.world(start, bits), self.scene.effects());
+        true_frame(world, effects, bits, &frame.start, &frame.duration)
+    }
+
+    /// The candidate's state, taken exactly.
+    fn world(&self, (discs, contacts): State<'_, S>, bits: u32) -> World<Exact> {
         let mut world = World::<Exact>::new(self.scene, bits);
         let states = discs.iter().zip(&world.discs);
         let states = states.map(|(state, written)| Disc {
@@ -171,22 +242,119 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         });
         world.discs = states.collect();
         world.contacts = contacts.clone();
-        let start = self.clock.start_of(self.judged.frames, bits);
-        let duration = self.clock.start_of(1, bits);
-        true_frame(world, self.scene.effects(), bits, &start, &duration)
+        world
     }
 
-    fn tally(&mut self, truth: &Truth, impacts: &[Logged], end: &[Disc<S>]) {
-        let mut tally = compare_frame(&truth.impacts, impacts);
-        for (truth, disc) in truth.end.iter().zip(end) {
-            let distance = distance(truth, &disc.position.map(S::to_f64));
-            tally.position_error = tally.position_error.max(distance);
+    /// Where the candidate's frame ends.
+    fn ending(&self, simulation: &Simulation<S>) -> Result<End, Undecided> {
+        let (discs, contacts) = (simulation.discs(), simulation.contacts());
+        let mut world = self.world((&discs, &contacts), self.budget.first_bits);
+        if S::ROUNDS {
+            forget_contacts(&mut world);
         }
-        self.judged.tally += tally;
+        Ok(End {
+            places: discs
+                .iter()
+                .map(|disc| disc.position.map(S::to_f64))
+                .collect(),
+            energy: energy(&world.discs).to_f64(),
+            overlaps: overlaps(&world)?,
+        })
+    }
+
+    /// Tells the algorithm's part of a frame's errors from that of rounding.
+    fn split(
+        &mut self,
+        start: State<'_, S>,
+        truth: &Truth,
+        found: &Found,
+    ) -> Result<(), Undecided> {
+        if self.judged.split.is_none() {
+            return Ok(());
+        }
+        let exact = self.decide(|bits| self.exact_frame(start, bits))?;
+        match (exact, &mut self.judged.split) {
+            (Some(exact), Some(split)) => {
+                split.rounding += found.tally(&exact);
+                split.algorithm += Found::from(exact).tally(truth);
+            }
+            (None, Some(split)) => split.undecided += 1,
+            (_, None) => {}
+        }
+        Ok(())
+    }
+
+    /// What the algorithm makes of a state in exact arithmetic.
+    fn exact_frame(&self, start: State<'_, S>, bits: u32) -> Result<Truth, Undecided> {
+        let frame = self.clock.frame(self.judged.frames, bits);
+        let (world, effects) = (self.world(start, bits), self.scene.effects());
+        let (impacts, end) = lone_frame(world, self.algorithm, effects, &frame, bits)?;
+        Ok(Truth::new(&impacts, &end))
+    }
+}
+
+/// The discs, and what touches by construction.
+type State<'a, S> = (&'a [Disc<S>], &'a Contacts);
+
+/// Lets numbers speak for themselves: what has touched by construction, and was
+/// rounded, may overlap.
+fn forget_contacts(world: &mut World<Exact>) {
+    world.contacts = Contacts::none(world.discs.len());
+    for disc in &mut world.discs {
+        disc.last = None;
+    }
+}
+
+/// A frame as the candidate has it.
+struct Found {
+    impacts: Vec<Logged>,
+    end: End,
+}
+
+struct End {
+    places: Vec<Vec2<f64>>,
+    energy: f64,
+    overlaps: Overlaps,
+}
+
+impl From<Truth> for Found {
+    fn from(truth: Truth) -> Self {
+        let end = End {
+            places: truth.end,
+            energy: truth.energy,
+            overlaps: Overlaps::default(),
+        };
+        Self {
+            impacts: truth.impacts,
+            end,
+        }
+    }
+}
+
+impl Found {
+    fn tally(&self, truth: &Truth) -> Tally {
+        let places = self.end.places.iter().zip(&truth.end);
+        let distances = places.map(|(place, truth)| distance(place, truth));
+        Tally {
+            position_error: distances.fold(0.0, f64::max),
+            energy_error: relative_error(self.end.energy, truth.energy),
+            overlaps: self.end.overlaps.count,
+            overlap_depth: self.end.overlaps.depth,
+            ..compare_frame(&truth.impacts, &self.impacts)
+        }
     }
 }
 
 fn distance(one: &Vec2<f64>, other: &Vec2<f64>) -> f64 {
     let apart = one.minus(other);
     apart.x.hypot(apart.y)
+}
+
+/// An error relative to the true value; of what is truly zero, either none or
+/// infinite.
+fn relative_error(value: f64, truth: f64) -> f64 {
+    match value == truth {
+        true => 0.0,
+        false => ((value - truth) / truth).abs(),
+    }
 }

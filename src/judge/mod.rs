@@ -5,15 +5,19 @@
 //! of that frame? One early error thus does not condemn all that follows.
 //! *Globally*: where does the candidate leave the true course of events for
 //! the first time?
+//!
+//! The error of a frame algorithm that rounds has two parts ([`Split`]): what it
+//! would get wrong in exact arithmetic, too, and what only rounding does.
 
 mod difference;
 mod frames;
+mod overlaps;
 mod tally;
 mod truth;
 mod verdict;
 
 pub use difference::{Difference, first_difference};
-pub use frames::{Judged, judge};
+pub use frames::{Judged, Split, judge, judge_and_split};
 pub use tally::{Logged, Tally, compare_frame};
 pub use truth::{Truth, true_frame};
 pub use verdict::{Margin, Reference, Standing, Verdict};

@@ -64,6 +64,19 @@ pub struct Tally {
     pub time_error_ulps: f64,
     /// The largest distance of a disc from where it should be at the end.
     pub position_error: f64,
+    /// The largest relative error of the kinetic energy at the end.
+    pub energy_error: f64,
+    /// The pairs that overlap at the end, by however little.
+    pub overlaps: u64,
+    /// How deep the deepest of them is.
+    pub overlap_depth: f64,
+}
+
+impl Tally {
+    /// The impacts that are missed, spurious or misordered.
+    pub fn wrong(&self) -> u64 {
+        self.missed + self.spurious + self.misordered
+    }
 }
 
 impl AddAssign for Tally {
@@ -75,6 +88,9 @@ impl AddAssign for Tally {
         self.time_error = self.time_error.max(other.time_error);
         self.time_error_ulps = self.time_error_ulps.max(other.time_error_ulps);
         self.position_error = self.position_error.max(other.position_error);
+        self.energy_error = self.energy_error.max(other.energy_error);
+        self.overlaps += other.overlaps;
+        self.overlap_depth = self.overlap_depth.max(other.overlap_depth);
     }
 }
 

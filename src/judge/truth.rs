@@ -1,6 +1,8 @@
 //! The exact timeline, as what others are held against.
 
 use super::tally::Logged;
+use crate::body::Disc;
+use crate::conserved::energy;
 use crate::effects::course;
 use crate::impact::{Impact, number_ties};
 use crate::scalar::{Exact, Scalar, Undecided};
@@ -16,6 +18,20 @@ pub struct Truth {
     pub impacts: Vec<Logged>,
     /// Where each disc is at the end, to binary64.
     pub end: Vec<Vec2<f64>>,
+    /// The kinetic energy at the end, to binary64.
+    pub energy: f64,
+}
+
+impl Truth {
+    /// What happened in a frame, and how it ended.
+    pub(super) fn new(impacts: &[Impact<Exact>], end: &[Disc<Exact>]) -> Self {
+        let places = end.iter().map(|disc| disc.position.map(Exact::to_f64));
+        Self {
+            impacts: impacts.iter().map(Logged::from).collect(),
+            end: places.collect(),
+            energy: energy(end).to_f64(),
+        }
+    }
 }
 
 /// What truly happens in a world, in the frame that starts at `start`; none if
@@ -42,11 +58,5 @@ pub fn true_frame(
     }
     number_ties(&mut impacts);
     let end = timeline.discs_at(duration);
-    Ok(Some(Truth {
-        impacts: impacts.iter().map(Logged::from).collect(),
-        end: end
-            .iter()
-            .map(|disc| disc.position.map(Exact::to_f64))
-            .collect(),
-    }))
+    Ok(Some(Truth::new(&impacts, &end)))
 }

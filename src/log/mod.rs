@@ -34,7 +34,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod conserved;
 mod contact;
 mod decimal;
 mod event;

@@ -6,12 +6,12 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 use super::MIN_DIGITS;
-use super::conserved::{energy, momentum};
 use super::contact::Contact;
 use super::event::{Ending, Event, EventsFormat, Header, Summary};
 use super::quantity::{Bounds, Quantity, nearest};
 use crate::arithmetic::Arithmetic;
 use crate::body::Disc;
+use crate::conserved::{energy, momentum};
 use crate::frame::Passes;
 use crate::impact::Impact;
 use crate::run::{Options, Outcome, Status};

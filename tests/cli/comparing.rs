@@ -48,6 +48,59 @@ fn figure_7_is_judged_as_the_paper_says() {
     }
 }
 
+/// The error of a frame algorithm is the algorithm's: in figure 7 nothing rounds. At
+/// the end of the first frame a step of a whole frame has left the two discs of
+/// radius 1 concentric, 2 deep in each other; then the one moves on by 4 a frame.
+#[test]
+fn errors_have_their_parts_and_overlaps_their_depth() {
+    let report = report(&[&scene("figure-7.json")]);
+    let retroactive = row(&report, "retroactive", "f64");
+    assert_eq!(retroactive["overlaps"], 1);
+    assert_eq!(retroactive["overlap_depth"], 2.0);
+    let parts = &retroactive["split"];
+    assert_eq!(parts["algorithm"]["missed"], 1);
+    assert_eq!(parts["algorithm"]["position_error"], 4.0);
+    assert_eq!(parts["rounding"]["missed"], 0);
+    assert_eq!(parts["rounding"]["position_error"], 0.0);
+    assert_eq!(parts["undecided_frames"], 0);
+    for (algorithm, arithmetic) in [("timeline", "f64"), ("retroactive", "exact")] {
+        assert_eq!(row(&report, algorithm, arithmetic)["split"], Value::Null);
+    }
+    let timeline = row(&report, "timeline", "exact");
+    assert_eq!(timeline["overlaps"], 0);
+    assert_eq!(timeline["energy_error"], 0.0);
+}
+
+/// Figure 7 where impacts leave half of the speed, so a quarter of the energy: who
+/// misses the impact has four times the true energy, an error of three times that.
+#[test]
+fn energy_is_held_against_what_losses_leave() {
+    let scratch = Scratch::new();
+    let scene = r#"{"schema": "carom/scene/1", "id": "loss", "frame": {"duration": 1, "count": 3},
+        "effects": {"restitution": {"newton": "1/2"}},
+        "discs": [{"position": [0, 0], "velocity": [4, 0], "radius": 1},
+                  {"position": [4, 0], "radius": 1, "mass": "infinite"}]}"#;
+    let report = report(&[&scratch.write("loss.json", scene)]);
+    for arithmetic in ["f64", "filtered", "exact"] {
+        let of = |algorithm| row(&report, algorithm, arithmetic)["energy_error"].clone();
+        assert_eq!(of("retroactive"), 3.0);
+        assert_eq!(of("single"), 0.0);
+        assert_eq!(of("timeline"), 0.0);
+    }
+}
+
+/// As many runs as there are times; a median is within its quartiles.
+#[test]
+fn costs_have_a_spread() {
+    let report = report(&[&scene("figure-8.json")]);
+    for row in report["scenes"][0]["rows"].as_array().expect("rows") {
+        let [low, high] = [0, 1].map(|index| row["seconds_a_frame_quartiles"][index].as_f64());
+        let median = row["seconds_a_frame"].as_f64();
+        assert!(low <= median && median <= high);
+        assert!(row["runs"].as_u64() >= Some(1));
+    }
+}
+
 #[test]
 fn every_row_is_there() {
     let report = report(&[&scene("figure-8.json")]);

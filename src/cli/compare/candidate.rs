@@ -1,17 +1,16 @@
 //! What is compared: algorithms, each in several arithmetics.
 
 use std::fmt;
-use std::time::Duration;
 
 use carom::arithmetic::{Arithmetic, Budget};
 use carom::frame::{BroadPhase, Passes};
-use carom::judge::{Judged, judge};
+use carom::judge::{Judged, judge, judge_and_split};
 use carom::scalar::{Exact, Filtered};
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
 
-use super::cost::median_cost;
+use super::cost::{Run, Runner};
 use crate::cli::choice::{AlgorithmName, ArithmeticName};
 
 /// An algorithm in an arithmetic.
@@ -71,22 +70,41 @@ impl Candidate {
     }
 
     pub(super) fn judge(&self, scene: &Scene, budget: &Budget) -> Result<Judged, Unsupported> {
-        let (algorithm, phase) = (self.algorithm, self.broad_phase);
-        match self.arithmetic {
-            ArithmeticName::Binary64 => judge::<f64>(scene, algorithm, phase, budget),
-            ArithmeticName::Filtered => judge::<Filtered>(scene, algorithm, phase, budget),
-            ArithmeticName::Exact => judge::<Exact>(scene, algorithm, phase, budget),
-        }
+        let judge = match self.arithmetic {
+            ArithmeticName::Binary64 => judge::<f64>,
+            ArithmeticName::Filtered => judge::<Filtered>,
+            ArithmeticName::Exact => judge::<Exact>,
+        };
+        judge(scene, self.algorithm, self.broad_phase, budget)
     }
 
-    /// What the whole run takes while nothing else runs: of a candidate
-    /// whose numbers are binary64, which is soon done.
-    pub(super) fn cost_alone(&self, scene: &Scene) -> Option<Duration> {
+    /// The same, and which part of the errors is the algorithm's.
+    pub(super) fn judge_and_split(
+        &self,
+        scene: &Scene,
+        budget: &Budget,
+    ) -> Result<Judged, Unsupported> {
+        let judge = match self.arithmetic {
+            ArithmeticName::Binary64 => judge_and_split::<f64>,
+            ArithmeticName::Filtered => judge_and_split::<Filtered>,
+            ArithmeticName::Exact => judge_and_split::<Exact>,
+        };
+        judge(scene, self.algorithm, self.broad_phase, budget)
+    }
+
+    /// What takes its time.
+    pub(super) fn runner<'a>(&self, scene: &'a Scene, budget: &'a Budget) -> Box<dyn Run + 'a> {
         let (algorithm, phase) = (self.algorithm, self.broad_phase);
         match self.arithmetic {
-            ArithmeticName::Binary64 => Some(median_cost::<f64>(scene, algorithm, phase)),
-            ArithmeticName::Filtered => Some(median_cost::<Filtered>(scene, algorithm, phase)),
-            ArithmeticName::Exact => None,
+            ArithmeticName::Binary64 => {
+                Box::new(Runner::<f64>::new(scene, algorithm, phase, budget))
+            }
+            ArithmeticName::Filtered => {
+                Box::new(Runner::<Filtered>::new(scene, algorithm, phase, budget))
+            }
+            ArithmeticName::Exact => {
+                Box::new(Runner::<Exact>::new(scene, algorithm, phase, budget))
+            }
         }
     }
 

@@ -3,13 +3,17 @@
 
 mod candidate;
 mod cost;
+mod page;
 mod report;
 mod row;
 mod table;
+pub(super) mod table1;
 mod truth;
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
+use carom::arithmetic::Budget;
 use carom::scalar::Exact;
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
@@ -23,9 +27,17 @@ use super::exit::Exit;
 use super::output::{Output, is_standard, standard};
 use super::progress;
 use candidate::{Candidate, Selection};
+use cost::{Effort, in_turn};
+use page::Study;
 use report::Report;
 use row::Row;
 use truth::Truth;
+
+/// What goes into the costs of a scene's candidates.
+const EFFORT: Effort = Effort {
+    share: Duration::from_millis(500),
+    rounds: 15,
+};
 
 /// Compare algorithms and arithmetics with what truly happens.
 ///
@@ -35,6 +47,7 @@ use truth::Truth;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   carom compare scenes/table1-full.json
+  carom compare scenes/table1-full.json --html report.html
   carom compare scenes/*.json --algorithms timeline --arithmetics f64 --fail-on missed,spurious")]
 pub(super) struct Arguments {
     /// The scenes; - is standard input.
@@ -44,6 +57,10 @@ pub(super) struct Arguments {
     /// table.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Where the results go as a page that needs nothing else, with figures; it also
+    /// has runs of changed scenes, which take a while.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// End with status 1 if a candidate has any of these.
     #[arg(long, value_name = "VERDICT", value_delimiter = ',')]
     fail_on: Vec<Verdict>,
@@ -105,15 +122,46 @@ struct Comparison {
     rows: Vec<Row>,
 }
 
+impl Comparison {
+    /// The truth and the time that each takes alone, then all judgements side
+    /// by side.
+    fn new(
+        scene: Scene,
+        candidates: &[Candidate],
+        effort: Effort,
+        budget: &Budget,
+    ) -> Result<Self, Unsupported> {
+        check(&scene, candidates)?;
+        let truth = Truth::find(&scene, budget)?;
+        let runners = candidates.iter();
+        let mut runners: Vec<_> = runners.map(|all| all.runner(&scene, budget)).collect();
+        let costs = in_turn(runners.len(), effort, |index| runners[index].time());
+        drop(runners);
+        let bar = progress::stages(candidates.len() as u64);
+        let jobs = candidates.par_iter().zip(costs);
+        let rows = jobs.map(|(candidate, cost)| {
+            let judged = candidate.judge_and_split(&scene, budget)?;
+            bar.inc(1);
+            Ok(Row::new(&scene, *candidate, &truth, judged).with_cost(cost))
+        });
+        let rows: Result<Vec<_>, _> = rows.collect();
+        bar.finish_and_clear();
+        let rows = rows?;
+        Ok(Self { scene, truth, rows })
+    }
+}
+
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let paths = arguments.scenes.iter();
     let scenes: Vec<_> = paths.map(Scene::read).collect::<Result<_, _>>()?;
     let json = arguments.json.as_deref();
     let json = json.map(Output::open).transpose()?;
+    let html = arguments.html.as_deref();
+    let html = html.map(Output::open).transpose()?;
     let mut comparisons = Vec::new();
     for (scene, path) in scenes.into_iter().zip(&arguments.scenes) {
         let comparison = arguments.compare(scene, path)?;
-        if !arguments.json.as_deref().is_some_and(is_standard) {
+        if !arguments.writes_to_standard() {
             let text = table::render(&comparison);
             Output::open(&standard())?.write_text(&text)?;
         }
@@ -126,44 +174,34 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
             writer.write_all(b"\n")
         })?;
     }
+    if let Some(output) = html {
+        output.write_text(&arguments.page(&comparisons))?;
+    }
     Ok(arguments.judge(&comparisons))
 }
 
 impl Arguments {
-    fn compare(&self, scene: Scene, path: &Path) -> Result<Comparison, Error> {
-        let candidates = self.selection().candidates();
-        self.run(&scene, &candidates)
-            .map(|(truth, rows)| Comparison { scene, truth, rows })
-            .map_err(|reason| Error::Unsupported {
-                file: path.display().to_string(),
-                reason,
-            })
+    /// Whether a report takes the place of the table.
+    fn writes_to_standard(&self) -> bool {
+        let reports = [&self.json, &self.html].into_iter().flatten();
+        reports.into_iter().any(|path| is_standard(path))
     }
 
-    /// The truth and the time that each takes alone, then all judgements side
-    /// by side.
-    fn run(
-        &self,
-        scene: &Scene,
-        candidates: &[Candidate],
-    ) -> Result<(Truth, Vec<Row>), Unsupported> {
-        let budget = self.budget.budget();
-        check(scene, candidates)?;
-        let truth = Truth::find(scene, &budget)?;
-        let costs: Vec<_> = candidates
-            .iter()
-            .map(|candidate| candidate.cost_alone(scene))
-            .collect();
-        let bar = progress::stages(candidates.len() as u64);
-        let jobs = candidates.par_iter().zip(costs);
-        let rows = jobs.map(|(candidate, cost)| {
-            let row = Row::judge(scene, *candidate, &truth, &budget);
-            bar.inc(1);
-            row.map(|row| row.with_cost(cost))
-        });
-        let rows: Result<Vec<_>, _> = rows.collect();
-        bar.finish_and_clear();
-        Ok((truth, rows?))
+    /// The page, with its runs of changed scenes.
+    fn page(&self, comparisons: &[Comparison]) -> String {
+        let (phase, budget) = (self.broad_phase.of_frames(), self.budget.budget());
+        let studies = comparisons.iter();
+        let studies = studies.map(|each| Study::run(each, &self.algorithms, phase, &budget));
+        page::page(comparisons, &studies.collect::<Vec<_>>(), phase)
+    }
+
+    fn compare(&self, scene: Scene, path: &Path) -> Result<Comparison, Error> {
+        let candidates = self.selection().candidates();
+        let compared = Comparison::new(scene, &candidates, EFFORT, &self.budget.budget());
+        compared.map_err(|reason| Error::Unsupported {
+            file: path.display().to_string(),
+            reason,
+        })
     }
 
     fn selection(&self) -> Selection<'_> {

@@ -2,7 +2,7 @@
 
 use carom::body::Pair;
 use carom::frame::Passes;
-use carom::judge::Difference;
+use carom::judge::{Difference, Split, Tally};
 use carom::simulation::Algorithm;
 use serde::Serialize;
 
@@ -57,6 +57,9 @@ struct RowReport {
     substeps: Option<u32>,
     arithmetic: &'static str,
     seconds_a_frame: f64,
+    seconds_a_frame_quartiles: [f64; 2],
+    runs: usize,
+    seconds_an_impact: Option<f64>,
     impacts: usize,
     matched: u64,
     missed: u64,
@@ -65,10 +68,30 @@ struct RowReport {
     time_error: f64,
     time_error_ulps: f64,
     position_error: f64,
+    energy_error: f64,
+    overlaps: u64,
+    overlap_depth: f64,
+    split: Option<SplitReport>,
     frames: u64,
     undecided_frames: u64,
     failure: Option<String>,
     first_difference: Option<DifferenceReport>,
+}
+
+/// The parts of a frame algorithm's errors.
+#[derive(Serialize)]
+struct SplitReport {
+    algorithm: PartReport,
+    rounding: PartReport,
+    undecided_frames: u64,
+}
+
+#[derive(Serialize)]
+struct PartReport {
+    missed: u64,
+    spurious: u64,
+    misordered: u64,
+    position_error: f64,
 }
 
 #[derive(Serialize)]
@@ -141,6 +164,9 @@ impl RowReport {
             substeps: substeps(candidate.algorithm),
             arithmetic: candidate.arithmetic_name(),
             seconds_a_frame: row.seconds_a_frame(),
+            seconds_a_frame_quartiles: row.spread_a_frame(),
+            runs: row.cost.runs(),
+            seconds_an_impact: row.seconds_an_impact(),
             impacts: row.impacts,
             matched: tally.matched,
             missed: tally.missed,
@@ -149,10 +175,35 @@ impl RowReport {
             time_error: tally.time_error,
             time_error_ulps: tally.time_error_ulps,
             position_error: tally.position_error,
+            energy_error: tally.energy_error,
+            overlaps: tally.overlaps,
+            overlap_depth: tally.overlap_depth,
+            split: row.split.as_ref().map(SplitReport::from),
             frames: row.frames,
             undecided_frames: row.undecided,
             failure: row.failure.clone(),
             first_difference: row.difference.as_ref().map(DifferenceReport::new),
+        }
+    }
+}
+
+impl From<&Split> for SplitReport {
+    fn from(split: &Split) -> Self {
+        Self {
+            algorithm: PartReport::from(&split.algorithm),
+            rounding: PartReport::from(&split.rounding),
+            undecided_frames: split.undecided,
+        }
+    }
+}
+
+impl From<&Tally> for PartReport {
+    fn from(tally: &Tally) -> Self {
+        Self {
+            missed: tally.missed,
+            spurious: tally.spurious,
+            misordered: tally.misordered,
+            position_error: tally.position_error,
         }
     }
 }

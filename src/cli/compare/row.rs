@@ -2,22 +2,23 @@
 
 use std::time::Duration;
 
-use carom::arithmetic::Budget;
-use carom::judge::{Difference, Judged, Logged, Tally, first_difference};
+use carom::judge::{Difference, Judged, Logged, Split, Tally, first_difference};
 use carom::scene::Scene;
-use carom::support::Unsupported;
 
 use super::Verdict;
 use super::candidate::Candidate;
+use super::cost::Cost;
 use super::truth::Truth;
 
 /// A candidate, held against the truth.
 pub(super) struct Row {
     pub(super) candidate: Candidate,
-    /// The time that its frames took.
-    pub(super) cost: Duration,
+    /// The times that its frames take while nothing else runs.
+    pub(super) cost: Cost,
     /// The impacts of all frames, and the largest errors.
     pub(super) tally: Tally,
+    /// Which part of the errors is the algorithm's, where that was asked.
+    pub(super) split: Option<Split>,
     /// The frames judged.
     pub(super) frames: u64,
     /// The frames of which the truth could not be decided.
@@ -31,32 +32,29 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// Runs and judges a candidate.
-    pub(super) fn judge(
-        scene: &Scene,
-        candidate: Candidate,
-        truth: &Truth,
-        budget: &Budget,
-    ) -> Result<Self, Unsupported> {
-        let judged = candidate.judge(scene, budget)?;
-        Ok(Self {
+    /// Judges a candidate by a run.
+    pub(super) fn new(scene: &Scene, candidate: Candidate, truth: &Truth, judged: Judged) -> Self {
+        Self {
             candidate,
-            cost: judged.cost,
+            cost: Cost::new(vec![judged.cost]),
             tally: judged.tally,
+            split: judged.split,
             frames: judged.frames,
             undecided: judged.undecided,
             impacts: judged.log.len(),
             difference: difference(truth, &judged, scene),
             failure: failure(&judged),
-        })
+        }
     }
 
-    /// The row with the time that the candidate takes alone, where that was
-    /// measured.
-    pub(super) fn with_cost(self, alone: Option<Duration>) -> Self {
-        Self {
-            cost: alone.unwrap_or(self.cost),
-            ..self
+    /// The row with the times that the candidate takes alone, unless there are none.
+    pub(super) fn with_cost(self, alone: Cost) -> Self {
+        match alone.runs() {
+            0 => self,
+            _ => Self {
+                cost: alone,
+                ..self
+            },
         }
     }
 
@@ -70,9 +68,25 @@ impl Row {
         }
     }
 
-    /// The time that a frame took, in seconds.
+    /// The time that a frame takes, in seconds: the median.
     pub(super) fn seconds_a_frame(&self) -> f64 {
-        self.cost.as_secs_f64() / self.frames.max(1) as f64
+        self.a_frame(self.cost.median().unwrap_or_default())
+    }
+
+    /// The quartiles of that.
+    pub(super) fn spread_a_frame(&self) -> [f64; 2] {
+        let quartiles = self.cost.quartiles().unwrap_or_default();
+        quartiles.map(|time| self.a_frame(time))
+    }
+
+    /// The time that an impact of the candidate takes, if there is one.
+    pub(super) fn seconds_an_impact(&self) -> Option<f64> {
+        let all = self.seconds_a_frame() * self.frames.max(1) as f64;
+        (self.impacts > 0).then(|| all / self.impacts as f64)
+    }
+
+    fn a_frame(&self, time: Duration) -> f64 {
+        time.as_secs_f64() / self.frames.max(1) as f64
     }
 }
 

@@ -1,11 +1,12 @@
 //! Energy and momentum, of the discs of finite mass.
 
-use crate::arithmetic::Arithmetic;
 use crate::body::{Disc, Mass};
+use crate::scalar::Scalar;
+#[cfg(feature = "json")]
 use crate::vec2::Vec2;
 
 /// The kinetic energy, Σ m v² / 2.
-pub(super) fn energy<S: Arithmetic>(discs: &[Disc<S>]) -> S {
+pub(crate) fn energy<S: Scalar>(discs: &[Disc<S>]) -> S {
     let twice = movable(discs)
         .map(|(disc, mass)| disc.velocity.norm_squared() * mass)
         .fold(S::from_integer(0), |sum, next| sum + next);
@@ -13,7 +14,8 @@ pub(super) fn energy<S: Arithmetic>(discs: &[Disc<S>]) -> S {
 }
 
 /// The momentum, Σ m v.
-pub(super) fn momentum<S: Arithmetic>(discs: &[Disc<S>]) -> Vec2<S> {
+#[cfg(feature = "json")]
+pub(crate) fn momentum<S: Scalar>(discs: &[Disc<S>]) -> Vec2<S> {
     movable(discs)
         .map(|(disc, mass)| disc.velocity.scaled(mass))
         .fold(Vec2::zero(), |sum, next| sum.plus(&next))
