@@ -126,6 +126,9 @@ mod making;
 #[path = "cli/checking.rs"]
 mod checking;
 
+#[path = "cli/drawing.rs"]
+mod drawing;
+
 #[path = "cli/judging.rs"]
 mod judging;
 

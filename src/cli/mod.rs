@@ -7,8 +7,10 @@
 mod check;
 mod choice;
 mod compare;
+mod draw;
 mod error;
 mod exit;
+mod figures;
 mod fuzz_check;
 mod generate;
 mod interrupt;
@@ -17,6 +19,7 @@ mod output;
 mod progress;
 mod run;
 mod schema;
+mod trace;
 mod validate;
 
 use std::process::ExitCode;
@@ -46,6 +49,7 @@ enum Command {
     Check(check::Arguments),
     Oracle(oracle::Arguments),
     Table1(compare::table1::Arguments),
+    Figures(figures::Arguments),
     Validate(validate::Arguments),
     Generate(generate::Arguments),
     FuzzCheck(fuzz_check::Arguments),
@@ -72,6 +76,7 @@ impl Command {
             Self::Check(arguments) => check::execute(arguments),
             Self::Oracle(arguments) => oracle::execute(arguments),
             Self::Table1(arguments) => compare::table1::execute(arguments),
+            Self::Figures(arguments) => figures::execute(arguments),
             Self::Validate(arguments) => Ok(validate::execute(arguments)),
             Self::Generate(arguments) => generate::execute(arguments),
             Self::FuzzCheck(arguments) => fuzz_check::execute(arguments),

@@ -12,11 +12,13 @@ use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
 
 use super::choice::{self, AlgorithmArguments, ArithmeticName, BudgetArguments, Phase, Rule};
+use super::draw::{Panel, Story, picture};
 use super::error::{self, Error};
 use super::exit::Exit;
 use super::interrupt;
 use super::output::{Output, is_standard, standard};
 use super::progress::RunBar;
+use super::trace::Trace;
 
 /// Run a scene and log its impacts.
 ///
@@ -48,6 +50,16 @@ pub(super) struct Arguments {
     /// arithmetic to that many.
     #[arg(long, value_name = "FILE")]
     final_scene: Option<PathBuf>,
+    /// Where a picture of the motion goes, as SVG; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// The frame that is drawn, from 0 on, instead of all of the run.
+    #[arg(long, value_name = "K", requires = "svg")]
+    svg_frame: Option<u64>,
+    /// Where the run goes as a Chrome trace, which opens in Perfetto: a second of it is a
+    /// second of simulated time; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    trace: Option<PathBuf>,
     /// The time at which the run ends, an exact number such as 1/3, instead
     /// of that of the scene. Frame algorithms finish the frame.
     #[arg(long, value_name = "T", value_parser = choice::duration, allow_negative_numbers = true)]
@@ -83,6 +95,8 @@ struct Outputs {
     events: Option<Output>,
     state: Option<Output>,
     final_scene: Option<Output>,
+    svg: Option<Output>,
+    trace: Option<Output>,
 }
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
@@ -150,9 +164,11 @@ impl Arguments {
 
     /// Where the event log goes, if anywhere.
     fn events(&self) -> Option<PathBuf> {
-        let end_is_shown = self.final_scene.as_deref().is_some_and(is_standard);
+        let others = [&self.final_scene, &self.svg, &self.trace];
+        let mut others = others.into_iter().flatten();
+        let takes_output = others.any(|path| is_standard(path));
         match &self.events {
-            None if self.state.is_none() && !end_is_shown => Some(standard()),
+            None if self.state.is_none() && !takes_output => Some(standard()),
             events => events.clone(),
         }
     }
@@ -179,19 +195,27 @@ impl Arguments {
 
     /// A file holds one result, and so does standard output.
     fn check_outputs(&self) -> Result<(), Error> {
-        let all = [&self.events, &self.state, &self.final_scene];
-        let [events, state, end] = all.map(Option::as_deref);
-        let shared = [(events, state), (events, end), (state, end)];
-        let shared = shared
-            .into_iter()
-            .find(|(one, other)| one == other && one.is_some());
-        match shared {
-            Some((Some(path), _)) => Err(Error::Usage(format!(
-                "{}: expected only one of --events, --state and --final-scene",
-                path.display()
-            ))),
-            _ => Ok(()),
+        let outputs = [
+            ("--events", &self.events),
+            ("--state", &self.state),
+            ("--final-scene", &self.final_scene),
+            ("--svg", &self.svg),
+            ("--trace", &self.trace),
+        ];
+        let mut taken: Vec<(&str, &Path)> = Vec::new();
+        for (name, path) in outputs {
+            let Some(path) = path.as_deref() else {
+                continue;
+            };
+            if let Some((other, _)) = taken.iter().find(|(_, other)| *other == path) {
+                return Err(Error::Usage(format!(
+                    "{}: expected only one of {other} and {name}",
+                    path.display()
+                )));
+            }
+            taken.push((name, path));
         }
+        Ok(())
     }
 
     /// Opens all files before the run, for it may take long.
@@ -201,6 +225,8 @@ impl Arguments {
             events: open(self.events().as_deref())?,
             state: open(self.state.as_deref())?,
             final_scene: open(self.final_scene.as_deref())?,
+            svg: open(self.svg.as_deref())?,
+            trace: open(self.trace.as_deref())?,
         })
     }
 
@@ -220,6 +246,13 @@ impl Arguments {
             let end = end_scene(scene, outcome, self.digits)?;
             output.write_text(&end.to_json())?;
         }
+        if let Some(output) = outputs.svg {
+            output.write_text(&self.picture(scene, algorithm, outcome)?)?;
+        }
+        if let Some(output) = outputs.trace {
+            let trace = Trace::of(outcome, scene.walls().len());
+            output.write(|writer| serde_json::to_writer(writer, &trace).map_err(Into::into))?;
+        }
         if let Some(output) = outputs.events {
             let recorder = Recorder::new(scene, algorithm, options, outcome);
             let recorder = recorder.digits(self.shown_digits());
@@ -227,6 +260,39 @@ impl Arguments {
         }
         Ok(())
     }
+
+    /// The picture of the run, or of one of its frames.
+    fn picture<S: Arithmetic>(
+        &self,
+        scene: &Scene,
+        algorithm: Algorithm,
+        outcome: &Outcome<S>,
+    ) -> Result<String, Error> {
+        let run = frames_before(scene, outcome);
+        let frames = match self.svg_frame {
+            None => 0..run,
+            Some(frame) if frame < run => frame..frame + 1,
+            Some(frame) => {
+                let problem = format!("--svg-frame {frame}: expected less than {run}");
+                return Err(Error::Usage(problem));
+            }
+        };
+        let story = Story::of::<S>(scene, algorithm, outcome.precision, frames);
+        let story = story.map_err(|open| Error::Usage(format!("--svg: {open}")))?;
+        let title = format!("{}: {algorithm}, {}", scene.id(), S::NAME);
+        let swept = false;
+        Ok(picture(&[Panel {
+            title,
+            story,
+            swept,
+        }]))
+    }
+}
+
+/// The frames of a run that begin before its end.
+fn frames_before<S: Arithmetic>(scene: &Scene, outcome: &Outcome<S>) -> u64 {
+    let frames = outcome.time.to_f64() / scene.frame().duration.to_f64();
+    (frames.ceil() as u64).clamp(1, scene.frame().count)
 }
 
 /// A run that shows its progress and heeds Ctrl-C.
