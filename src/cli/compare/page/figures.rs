@@ -311,15 +311,12 @@ pub(super) fn growth(growth: &Growth) -> Markup {
     let longer = proofs(&growth.longer, |proof| {
         (
             [proof.impacts as f64, proof.seconds],
-            format!("{} bits", proof.bits),
+            Some(format!("{} bits", proof.bits)),
         )
     });
     let wider = proofs(&growth.wider, |proof| {
         let each = proof.seconds / proof.impacts as f64;
-        (
-            [f64::from(proof.bits), each],
-            format!("{} bits", proof.bits),
-        )
+        ([f64::from(proof.bits), each], None)
     });
     let impacts = Axis::new("impacts", Scale::Logarithmic, plain);
     let time = Axis::new("time, all attempts", Scale::Logarithmic, duration);
@@ -366,11 +363,11 @@ fn proof_numbers(growth: &Growth) -> Markup {
     table::numbers(&headings.map(String::from), &rows.collect::<Vec<_>>())
 }
 
-fn proofs(proofs: &[Proof], of: impl Fn(&Proof) -> ([f64; 2], String)) -> Series {
+fn proofs(proofs: &[Proof], of: impl Fn(&Proof) -> ([f64; 2], Option<String>)) -> Series {
     let spots = proofs.iter().map(|proof| {
         let (at, label) = of(proof);
         Spot {
-            label: Some(label),
+            label,
             ..Spot::new(at)
         }
     });

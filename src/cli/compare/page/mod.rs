@@ -65,7 +65,7 @@ pub(super) fn page(comparisons: &[Comparison], studies: &[Study], phase: BroadPh
         nav { @for comparison in comparisons {
             a href={ "#" (comparison.scene.id()) } { (comparison.scene.id()) }
         } a href="#method" { "method" } }
-        (redone(comparisons))
+        (redone(comparisons, phase))
         @for (comparison, study) in comparisons.iter().zip(studies) {
             (section(comparison, study))
         }
@@ -88,13 +88,15 @@ pub(super) fn page(comparisons: &[Comparison], studies: &[Study], phase: BroadPh
 }
 
 /// The paper's Table 1, where its two scenes are compared.
-fn redone(comparisons: &[Comparison]) -> Markup {
+fn redone(comparisons: &[Comparison], phase: BroadPhase) -> Markup {
     let picture = table1::of_comparisons(comparisons);
     html! {
         @if let Some(picture) = picture {
             section id="table-1" {
                 h2 { "The paper's Table 1, redone" }
                 div.wide { (PreEscaped(plot::for_page(&picture))) }
+                p.pale { "Pairs that the frame algorithms look at: " (figures::phase_name(phase))
+                    ". " code { "carom table1" } " has them look at all, as in the paper." }
             }
         }
     }

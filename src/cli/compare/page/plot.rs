@@ -215,7 +215,9 @@ impl Series {
                 true => (HPos::Right, -8),
                 false => (HPos::Left, 8),
             };
-            let (end, drop) = match spot.is_below {
+            // Left of the middle there is room below a line that rises.
+            let is_below = spot.is_below || self.is_joined && !is_right;
+            let (end, drop) = match is_below {
                 true => (VPos::Top, 5),
                 false => (VPos::Bottom, -4),
             };

@@ -106,6 +106,8 @@ fn name(row: &Row) -> String {
     let parameter = row.candidate.parameter();
     match (row.candidate.algorithm, parameter) {
         (Algorithm::Timeline, _) => format!("timeline {}", row.candidate.arithmetic_name()),
+        (Algorithm::Retroactive { substeps: 1 }, _) => String::from("retroactive"),
+        (Algorithm::Retroactive { substeps }, _) => format!("retroactive, {substeps} steps"),
         (algorithm, Some(passes)) => format!("{algorithm}, {passes} passes"),
         (algorithm, None) => algorithm.to_string(),
     }
