@@ -36,6 +36,8 @@ pub(super) struct Way {
     pub(super) last: Option<usize>,
     /// The point at which the latest frame ends.
     end: Option<usize>,
+    /// Whether it has met nothing in that frame.
+    quiet: bool,
 }
 
 /// A disc that collides.
@@ -45,6 +47,29 @@ pub(super) struct Struck {
     pub(super) radius: f64,
     /// How fast it moves from then on.
     pub(super) velocity: Vector,
+}
+
+/// How discs move between impacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Course {
+    /// In straight lines.
+    Straight,
+    /// Likewise, but for frames in which they collide.
+    Stepwise,
+    /// In curves, which are drawn from one frame's end to the next.
+    Bent,
+}
+
+impl Course {
+    fn of(scene: &Scene, algorithm: Algorithm) -> Self {
+        if scene.effects().gravity.is_some() {
+            Self::Bent
+        } else if algorithm == Algorithm::Timeline {
+            Self::Straight
+        } else {
+            Self::Stepwise
+        }
+    }
 }
 
 impl Story {
@@ -66,11 +91,11 @@ impl Story {
             simulation.next_frame().map_err(undecided)?;
         }
         let mut story = Self::begun(scene, &simulation.discs());
-        let is_straight = scene.effects().gravity.is_none();
+        let course = Course::of(scene, algorithm);
         for _ in frames.clone() {
             let impacts = simulation.next_frame().map_err(undecided)?;
             impacts.iter().for_each(|impact| story.add(impact));
-            story.close(&simulation.discs(), is_straight);
+            story.close(&simulation.discs(), course);
         }
         let length = (frames.end - frames.start) as f64;
         story.duration = scene.frame().duration.to_f64() * length;
@@ -122,16 +147,10 @@ impl Story {
         }
     }
 
-    /// Notes where discs are at the end of a frame, in place of the end of a frame
-    /// before, if they have moved on in a straight line since.
-    fn close<S: Scalar>(&mut self, discs: &[Disc<S>], is_straight: bool) {
+    /// Notes where discs are at the end of a frame.
+    fn close<S: Scalar>(&mut self, discs: &[Disc<S>], course: Course) {
         for (way, body) in self.ways.iter_mut().zip(discs) {
-            let goes_on = way.end == Some(way.points.len() - 1);
-            if is_straight && goes_on {
-                way.points.pop();
-            }
-            way.end = Some(way.points.len());
-            way.points.push(numbers(&body.position));
+            way.close(numbers(&body.position), course);
         }
     }
 
@@ -147,6 +166,23 @@ impl Story {
 }
 
 impl Way {
+    /// Notes where it is at the end of a frame, in place of the end of a frame before, if
+    /// it has moved on in a straight line since.
+    fn close(&mut self, place: Vector, course: Course) {
+        let is_quiet = self.last <= self.end;
+        let goes_on = match course {
+            Course::Bent => false,
+            Course::Stepwise => is_quiet && self.quiet,
+            Course::Straight => is_quiet,
+        };
+        if goes_on && self.end.is_some() {
+            self.points.pop();
+        }
+        self.end = Some(self.points.len());
+        self.quiet = is_quiet;
+        self.points.push(place);
+    }
+
     fn begun<S: Scalar>(disc: &Disc<S>) -> Self {
         Self {
             radius: disc.radius.to_f64(),
@@ -154,6 +190,7 @@ impl Way {
             points: vec![numbers(&disc.position)],
             last: None,
             end: None,
+            quiet: true,
         }
     }
 }
