@@ -96,6 +96,11 @@ impl AlgorithmArguments {
         }
     }
 
+    /// Whether it depends on the clock how a run goes.
+    pub(super) fn has_frame_budget(&self) -> bool {
+        self.frame_budget.is_some()
+    }
+
     fn passes(&self) -> Passes {
         match self.frame_budget {
             Some(budget) => Passes::Budget(budget),

@@ -17,6 +17,7 @@ mod interrupt;
 mod oracle;
 mod output;
 mod progress;
+mod replay;
 mod run;
 mod schema;
 mod trace;

@@ -18,6 +18,7 @@ use super::exit::Exit;
 use super::interrupt;
 use super::output::{Output, is_standard, standard};
 use super::progress::RunBar;
+use super::replay::{self, Pane};
 use super::trace::Trace;
 
 /// Run a scene and log its impacts.
@@ -56,6 +57,10 @@ pub(super) struct Arguments {
     /// The frame that is drawn, from 0 on, instead of all of the run.
     #[arg(long, value_name = "K", requires = "svg")]
     svg_frame: Option<u64>,
+    /// Where a replay of the run goes, a page of its own; beside it plays the exact
+    /// timeline, unless the run is that. - is standard output.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// Where the run goes as a Chrome trace, which opens in Perfetto: a second of it is a
     /// second of simulated time; - is standard output.
     #[arg(long, value_name = "FILE")]
@@ -96,6 +101,7 @@ struct Outputs {
     state: Option<Output>,
     final_scene: Option<Output>,
     svg: Option<Output>,
+    html: Option<Output>,
     trace: Option<Output>,
 }
 
@@ -114,12 +120,10 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
 
 impl Arguments {
     fn run<S: Arithmetic>(&self, scene: &Scene, algorithm: Algorithm) -> Result<Exit, Error> {
-        let unsupported = |reason| Error::Unsupported {
-            file: self.scene.display().to_string(),
-            reason,
-        };
+        let unsupported = |reason| self.unsupported(reason);
         check_support::<S>(scene, algorithm).map_err(unsupported)?;
         self.check_until::<S>()?;
+        self.check_pictures(scene)?;
         interrupt::listen();
         let outputs = self.open_outputs()?;
         let options = self.options();
@@ -148,7 +152,7 @@ impl Arguments {
             // Bounds that are a little apart may still straddle the last
             // digit: one more makes them close enough.
             digits: self.shown_digits() + 1,
-            contacts: self.contact,
+            contacts: self.contact || self.html.is_some(),
             simultaneous: self
                 .simultaneous
                 .map(Rule::simultaneous)
@@ -164,7 +168,7 @@ impl Arguments {
 
     /// Where the event log goes, if anywhere.
     fn events(&self) -> Option<PathBuf> {
-        let others = [&self.final_scene, &self.svg, &self.trace];
+        let others = [&self.final_scene, &self.svg, &self.html, &self.trace];
         let mut others = others.into_iter().flatten();
         let takes_output = others.any(|path| is_standard(path));
         match &self.events {
@@ -200,6 +204,7 @@ impl Arguments {
             ("--state", &self.state),
             ("--final-scene", &self.final_scene),
             ("--svg", &self.svg),
+            ("--html", &self.html),
             ("--trace", &self.trace),
         ];
         let mut taken: Vec<(&str, &Path)> = Vec::new();
@@ -226,6 +231,7 @@ impl Arguments {
             state: open(self.state.as_deref())?,
             final_scene: open(self.final_scene.as_deref())?,
             svg: open(self.svg.as_deref())?,
+            html: open(self.html.as_deref())?,
             trace: open(self.trace.as_deref())?,
         })
     }
@@ -249,16 +255,60 @@ impl Arguments {
         if let Some(output) = outputs.svg {
             output.write_text(&self.picture(scene, algorithm, outcome)?)?;
         }
+        if let Some(output) = outputs.html {
+            output.write_text(&self.replay(scene, algorithm, options, outcome)?)?;
+        }
         if let Some(output) = outputs.trace {
             let trace = Trace::of(outcome, scene.walls().len());
             output.write(|writer| serde_json::to_writer(writer, &trace).map_err(Into::into))?;
         }
         if let Some(output) = outputs.events {
-            let recorder = Recorder::new(scene, algorithm, options, outcome);
+            let logged = Options {
+                contacts: self.contact,
+                ..options.clone()
+            };
+            let recorder = Recorder::new(scene, algorithm, &logged, outcome);
             let recorder = recorder.digits(self.shown_digits());
             output.write(|writer| recorder.write(writer))?;
         }
         Ok(())
+    }
+
+    /// Pictures show no copies of discs, and no frames that differ each time.
+    fn check_pictures(&self, scene: &Scene) -> Result<(), Error> {
+        if self.svg.is_none() && self.html.is_none() {
+            return Ok(());
+        }
+        let expected = match scene.periodic() {
+            Some(_) => "a scene that is not periodic",
+            None if self.algorithm.has_frame_budget() => "--passes instead of --frame-budget",
+            None => return Ok(()),
+        };
+        Err(Error::Usage(format!("--svg, --html: expected {expected}")))
+    }
+
+    /// The replay of the run, beside the truth.
+    fn replay<S: Arithmetic>(
+        &self,
+        scene: &Scene,
+        algorithm: Algorithm,
+        options: &Options,
+        outcome: &Outcome<S>,
+    ) -> Result<String, Error> {
+        let mut panes = vec![Pane::new(scene, algorithm, outcome)];
+        if algorithm != Algorithm::Timeline || S::NAME != Exact::NAME {
+            let truth = watched::<Exact>(scene, Algorithm::Timeline, options);
+            let truth = truth.map_err(|reason| self.unsupported(reason))?;
+            panes.push(Pane::new(scene, Algorithm::Timeline, &truth));
+        }
+        Ok(replay::page(scene, &panes))
+    }
+
+    fn unsupported(&self, reason: Unsupported) -> Error {
+        Error::Unsupported {
+            file: self.scene.display().to_string(),
+            reason,
+        }
     }
 
     /// The picture of the run, or of one of its frames.

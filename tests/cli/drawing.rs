@@ -95,3 +95,70 @@ fn no_two_results_go_to_one_file() {
         "{message}"
     );
 }
+
+/// The data of a replay.
+fn replay(arguments: &[&str]) -> Value {
+    let text = results(&[&["run"], arguments, &["--html", "-"]].concat());
+    assert!(!text.contains("http"), "it takes nothing from elsewhere");
+    let data = text
+        .split("type=\"application/json\">")
+        .nth(1)
+        .expect("data");
+    let data = data.split("</script>").next().expect("data");
+    serde_json::from_str(data).expect("JSON")
+}
+
+/// With one impact a frame the disc waits at 2 from 1/2 to 1: legs of speed 4, 0, -4.
+#[test]
+fn a_replay_stands_beside_the_truth() {
+    let data = replay(&[&scene("figure-7.json"), "--algorithm", "single"]);
+    let panes = data["panes"].as_array().expect("panes");
+    assert_eq!(panes.len(), 2);
+    let legs = |pane: usize| {
+        let legs = panes[pane]["motion"]["discs"][0]["legs"]
+            .as_array()
+            .expect("legs");
+        let legs = legs.iter().map(|leg| (leg[0].as_f64(), leg[3].as_f64()));
+        legs.map(|(time, speed)| (time.expect("a time"), speed.expect("a speed")))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(legs(0)[..3], [(0.0, 4.0), (0.5, 0.0), (1.0, -4.0)]);
+    assert_eq!(legs(1), [(0.0, 4.0), (0.5, -4.0)]);
+    assert_eq!(data["difference"], Value::Null);
+}
+
+/// What steps of a frame miss is where the two part.
+#[test]
+fn a_replay_has_the_first_difference() {
+    let data = replay(&[&scene("figure-7.json"), "--algorithm", "retroactive"]);
+    assert_eq!(data["difference"]["time"], 0.5);
+    let alone = replay(&[&scene("figure-7.json"), "--arithmetic", "exact"]);
+    assert_eq!(alone["panes"].as_array().map(Vec::len), Some(1));
+}
+
+#[test]
+fn the_log_does_not_depend_on_pictures() {
+    let scratch = Scratch::new();
+    let arguments = ["run", &scene("timeline-2.json"), "--algorithm", "multiple"];
+    let files = ["run.svg", "run.html", "run.json"].map(|name| scratch.name(name));
+    let pictures = [
+        "--svg", &files[0], "--html", &files[1], "--trace", &files[2],
+    ];
+    assert_eq!(
+        results(&[&arguments[..], &pictures].concat()),
+        results(&arguments)
+    );
+}
+
+#[test]
+fn what_cannot_be_pictured_is_refused() {
+    let (status, message) = ending(&["run", &scene("around.json"), "--html", "-"]);
+    assert!(status == 2 && message.contains("not periodic"), "{message}");
+    let figure = scene("figure-7.json");
+    let timed = ["--algorithm", "multiple", "--frame-budget", "5"];
+    let (status, message) = ending(&[&["run", &figure, "--svg", "-"], &timed[..]].concat());
+    assert!(
+        status == 2 && message.contains("instead of --frame-budget"),
+        "{message}"
+    );
+}
