@@ -68,7 +68,9 @@ impl Axis {
     fn linear(&self, values: &[f64]) -> Laid {
         let shown = self.ticks.iter().flatten();
         let values = || values.iter().chain(shown.clone()).copied();
-        let high = values().fold(f64::MIN_POSITIVE, f64::max);
+        let largest = values().fold(0.0, f64::max);
+        // An axis for zeros alone.
+        let high = if largest > 0.0 { largest } else { 1.0 };
         let low = match &self.ticks {
             Some(_) => values().fold(high, f64::min),
             None => 0.0,
@@ -76,7 +78,7 @@ impl Axis {
         let step = round_step(high - low);
         let usual = || (0..=8).map(|count| f64::from(count) * step);
         let ticks = self.ticks.clone();
-        let margin = 0.06 * (high - low).max(f64::MIN_POSITIVE);
+        let margin = 0.06 * (high - low);
         let bottom = low - if self.ticks.is_some() { margin } else { 0.0 };
         let top = high + margin;
         Laid {
