@@ -116,12 +116,11 @@ impl Queue {
 }
 
 /// The place of the first key of a group that is not above a limit; there must be one.
+/// All comparisons at once: one after the other they would wait for each other.
 #[inline]
 fn first_up_to(group: &Group, limit: f64) -> usize {
-    let [a, b, c, d, ..] = *group;
-    let half = 4 * usize::from(lesser(lesser(a, b), lesser(c, d)) > limit);
-    let quarter = half + 2 * usize::from(lesser(group[half], group[half + 1]) > limit);
-    quarter + usize::from(group[quarter] > limit)
+    let is_sought = group.map(|key| u8::from(key <= limit));
+    u64::from_le_bytes(is_sought).trailing_zeros() as usize / 8
 }
 
 /// Of each place in a group: it alone is beyond all keys, the others are before.
