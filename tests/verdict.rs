@@ -5,10 +5,8 @@ use std::ops::ControlFlow::Continue;
 
 use carom::body::{BodyId, Pair};
 use carom::judge::{Logged, Margin, Reference, Standing, Verdict};
-use carom::run::{Options, run};
-use carom::scene::generate::gas;
+use carom::run::Options;
 use carom::scene::{Disc, Scene, SceneBuilder};
-use carom::simulation::Algorithm;
 
 /// d0 and d2 come to d1, which rests, from two sides: d0 touches it at 1, d2 later by so
 /// many ulps of 1.
@@ -144,8 +142,13 @@ fn contacts_told_again_are_no_collisions() {
 
 /// Binary64 follows a gas for some hundred impacts, and is not blamed for what comes
 /// then; steps of a frame err at once.
+#[cfg(feature = "cli")]
 #[test]
 fn binary64_is_not_blamed_for_chaos() {
+    use carom::run::run;
+    use carom::scene::generate::gas;
+    use carom::simulation::Algorithm;
+
     let dense = gas(7, 10, 0.3).expect("a scene").to_builder();
     let dense = scene(dense.frame(1, 40));
     let of = |algorithm| {
