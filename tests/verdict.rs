@@ -62,6 +62,24 @@ fn an_order_is_judged_by_its_margin() {
     assert_eq!(standing(0.0), Standing::Simultaneous);
 }
 
+/// After the tie at 1, in which d1 comes to rest again, d0 comes back from a wall at 4 and
+/// hits d1 at 7, when d2 is at the other wall; d1 and d2 meet at 10; at 13 d1 is back at
+/// d0, and d2 at the wall.
+#[test]
+fn a_rule_that_is_confirmed_excuses_no_more() {
+    let room = pinched(0.0).to_builder().frame(14, 1);
+    let room = scene(room.wall([-6, -9], [-6, 9]).wall([9, -9], [9, 9]));
+    let reference = Reference::find(&room, &Options::default(), &mut |_| Continue(())).unwrap();
+    let truth: Vec<_> = reference.impacts().iter().map(Logged::from).collect();
+    let times: Vec<_> = truth.iter().map(|impact| impact.time).collect();
+    assert_eq!(times, [1.0, 1.0, 1.0, 4.0, 7.0, 7.0, 10.0, 13.0, 13.0]);
+    assert_eq!(
+        reference.judge(&truth[..6]).standing,
+        Standing::Simultaneous
+    );
+    assert_eq!(reference.judge(&truth[..7]).standing, Standing::Differs);
+}
+
 #[test]
 fn a_margin_is_the_time_between_two_impacts() {
     let swapped = [discs(1, 2, 1.0), discs(0, 1, 1.0)];
