@@ -3,11 +3,14 @@
 /// So many keys are in one group: those of a cache line.
 const WIDTH: usize = 8;
 
-/// Keys, of which the least one is that of the group a level further up.
-type Group = [f64; WIDTH];
+/// Ranks of keys, of which the least one is that of the group a level further up.
+type Group = [u64; WIDTH];
 
-/// The key of an empty slot, and of what fills the last group of a level.
-const EMPTY: f64 = f64::INFINITY;
+/// The rank of an empty slot.
+const EMPTY: u64 = rank(f64::INFINITY);
+
+/// What is no slot, but fills the last group of a level: after every limit.
+const NO_SLOT: u64 = u64::MAX;
 
 /// A key for each of a fixed number of slots; an empty slot's is infinite.
 ///
@@ -18,7 +21,28 @@ const EMPTY: f64 = f64::INFINITY;
 pub(super) struct Queue {
     /// The slots first, a single group last.
     levels: Vec<Vec<Group>>,
-    least: f64,
+    least: u64,
+}
+
+/// A whole number for each binary64, in the same order.
+#[inline]
+const fn rank(key: f64) -> u64 {
+    let bits = (key + 0.0).to_bits();
+    if bits >> 63 == 0 {
+        bits | 1 << 63
+    } else {
+        !bits
+    }
+}
+
+/// The number of a rank.
+#[inline]
+fn key(rank: u64) -> f64 {
+    f64::from_bits(if rank >> 63 == 1 {
+        rank & !(1 << 63)
+    } else {
+        !rank
+    })
 }
 
 impl Queue {
@@ -27,8 +51,10 @@ impl Queue {
         let mut levels = Vec::new();
         let mut count = slots.max(1);
         while count > 1 || levels.is_empty() {
-            count = count.div_ceil(WIDTH);
-            levels.push(vec![[EMPTY; WIDTH]; count]);
+            let mut groups = vec![[NO_SLOT; WIDTH]; count.div_ceil(WIDTH)];
+            groups.as_flattened_mut()[..count].fill(EMPTY);
+            count = groups.len();
+            levels.push(groups);
         }
         Self {
             levels,
@@ -36,28 +62,37 @@ impl Queue {
         }
     }
 
-    /// Changes the key of a slot to a number.
+    /// Changes the key of a slot.
     #[inline]
     pub(super) fn set(&mut self, slot: usize, key: f64) {
-        debug_assert!(!key.is_nan(), "a key is a number");
-        let (mut place, mut key) = (slot, key);
+        let (mut place, mut rank) = (slot, rank(key));
         for level in &mut self.levels {
             let group = &mut level[place / WIDTH];
             let own = &mut group[place % WIDTH];
-            if *own == key {
+            if *own == rank {
                 return;
             }
-            *own = key;
-            key = least_of(group);
+            *own = rank;
+            rank = least_of(group);
             place /= WIDTH;
         }
-        self.least = key;
+        self.least = rank;
     }
 
     /// The least key.
     #[inline]
     pub(super) fn least(&self) -> f64 {
-        self.least
+        key(self.least)
+    }
+
+    /// The first slot with the least key.
+    #[inline]
+    pub(super) fn least_slot(&self) -> usize {
+        self.levels.iter().rev().fold(0, |place, level| {
+            let is_least = |rank: &u64| *rank == self.least;
+            let first = level[place].iter().position(is_least);
+            WIDTH * place + first.unwrap_or_default()
+        })
     }
 
     /// The least key of all other slots.
@@ -65,104 +100,42 @@ impl Queue {
     pub(super) fn least_but(&self, slot: usize) -> f64 {
         let (mut place, mut least) = (slot, EMPTY);
         for level in &self.levels {
-            let others = without(&level[place / WIDTH], place % WIDTH);
-            least = lesser(least, least_of(&others));
+            let mut others = level[place / WIDTH];
+            others[place % WIDTH] = EMPTY;
+            least = least.min(least_of(&others));
             place /= WIDTH;
         }
-        least
+        key(least)
     }
 
-    /// Collects, in their order, the slots whose keys are not above the `end` of the
-    /// first one with the least key. There must be a slot that is not empty.
+    /// Collects the slots whose keys are not above a limit, in their order.
     #[inline]
-    pub(super) fn collect_front(&self, found: &mut Vec<usize>, end: impl Fn(usize) -> f64) {
-        let first = self.first();
-        let end = end(first);
-        if self.least_but(first) > end {
-            // Mostly there are no others.
-            found.clear();
-            found.push(first);
-        } else {
-            self.collect_up_to(end, found);
-        }
-    }
-
-    /// The first slot with the least key.
-    #[inline]
-    fn first(&self) -> usize {
-        let levels = self.levels.iter().rev();
-        levels.fold(0, |place, level| {
-            WIDTH * place + first_up_to(&level[place], self.least)
-        })
-    }
-
-    /// Collects the slots, but for empty ones, whose keys are not above a limit, in
-    /// their order: those of a level take the place of those of the level above.
-    fn collect_up_to(&self, limit: f64, found: &mut Vec<usize>) {
-        let limit = limit.min(f64::MAX);
+    pub(super) fn collect_up_to(&self, limit: f64, found: &mut Vec<usize>) {
         found.clear();
-        found.push(0);
-        for level in self.levels.iter().rev() {
-            let groups = found.len();
-            for place in 0..groups {
-                let group = found[place];
-                let keys = level[group].iter().enumerate();
-                let sought = keys.filter(|(_, key)| **key <= limit);
-                found.extend(sought.map(|(place, _)| WIDTH * group + place));
-            }
-            found.drain(..groups);
-        }
+        collect(&self.levels, 0, rank(limit), found);
     }
 }
 
-/// The place of the first key of a group that is not above a limit; there must be one.
-/// All comparisons at once: one after the other they would wait for each other.
-#[inline]
-fn first_up_to(group: &Group, limit: f64) -> usize {
-    let is_sought = group.map(|key| u8::from(key <= limit));
-    u64::from_le_bytes(is_sought).trailing_zeros() as usize / 8
-}
-
-/// Of each place in a group: it alone is beyond all keys, the others are before.
-const BUT: [Group; WIDTH] = {
-    let mut but = [[f64::NEG_INFINITY; WIDTH]; WIDTH];
-    let mut place = 0;
-    while place < WIDTH {
-        but[place][place] = EMPTY;
-        place += 1;
-    }
-    but
-};
-
-/// A group in which a place is empty.
-#[inline]
-fn without(group: &Group, place: usize) -> Group {
-    let but = &BUT[place];
-    [0, 1, 2, 3, 4, 5, 6, 7].map(|other| greater(group[other], but[other]))
-}
-
-#[inline]
-fn least_of(group: &Group) -> f64 {
-    let half = |keys: [f64; 4], others: [f64; 4]| {
-        let [a, b, c, d] = keys;
-        let [e, f, g, h] = others;
-        [lesser(a, e), lesser(b, f), lesser(c, g), lesser(d, h)]
+/// Collects from a group of the last of some levels: no deeper than these are
+/// many.
+fn collect(levels: &[Vec<Group>], group: usize, limit: u64, found: &mut Vec<usize>) {
+    let Some((level, below)) = levels.split_last() else {
+        found.push(group);
+        return;
     };
-    let [a, b, c, d, e, f, g, h] = *group;
-    let [a, b, c, d] = half([a, b, c, d], [e, f, g, h]);
-    lesser(lesser(a, c), lesser(b, d))
+    let wanted = level[group].map(|rank| u8::from(rank <= limit));
+    let mut left = u64::from_le_bytes(wanted);
+    while left != 0 {
+        let place = WIDTH * group + left.trailing_zeros() as usize / 8;
+        collect(below, place, limit, found);
+        left &= left - 1;
+    }
 }
 
-/// The lesser of two numbers: one instruction, which `f64::min` is not.
 #[inline]
-fn lesser(one: f64, other: f64) -> f64 {
-    if one < other { one } else { other }
-}
-
-/// The greater of two numbers.
-#[inline]
-fn greater(one: f64, other: f64) -> f64 {
-    if one > other { one } else { other }
+fn least_of([a, b, c, d, e, f, g, h]: &Group) -> u64 {
+    let (left, right) = (a.min(b).min(c.min(d)), e.min(f).min(g.min(h)));
+    *left.min(right)
 }
 
 #[cfg(test)]
@@ -189,11 +162,8 @@ mod tests {
                 let least = list.iter().copied().fold(f64::INFINITY, f64::min);
                 prop_assert_eq!(queue.least(), least);
                 if least.is_finite() {
-                    let mut front = Vec::new();
-                    queue.collect_front(&mut front, |first| list[first] + 1.0);
-                    let expected: Vec<_> =
-                        (0..slots).filter(|&slot| list[slot] <= least + 1.0).collect();
-                    prop_assert_eq!(front, expected);
+                    let first = list.iter().position(|key| *key == least);
+                    prop_assert_eq!(Some(queue.least_slot()), first);
                     let others = list.iter().enumerate().filter(|(other, _)| *other != slot);
                     let least = others.fold(f64::INFINITY, |least, (_, key)| least.min(*key));
                     prop_assert_eq!(queue.least_but(slot), least);
@@ -202,8 +172,7 @@ mod tests {
             for limit in [limit.into(), f64::INFINITY] {
                 let mut found = Vec::new();
                 queue.collect_up_to(limit, &mut found);
-                let is_sought = |slot: &usize| list[*slot] <= limit && list[*slot].is_finite();
-                let expected: Vec<_> = (0..slots).filter(is_sought).collect();
+                let expected: Vec<_> = (0..slots).filter(|&slot| list[slot] <= limit).collect();
                 prop_assert_eq!(found, expected);
             }
         }

@@ -2,7 +2,7 @@
 //! all of them side by side, so that most pairs take but a few operations.
 
 use super::flight::Flights;
-use crate::detect::{Passage, least_clear};
+use crate::detect::{least_clear, stays_clear};
 use crate::kernel::Kernel;
 
 /// How the discs move.
@@ -10,10 +10,7 @@ use crate::kernel::Kernel;
 pub(super) struct Tracks {
     /// None where they are of no use.
     tracks: Vec<Track>,
-    /// The latest time since when any of them moves so.
-    now: f64,
-    /// The largest number so far that says how one moves, of a position the sum of
-    /// both coordinates.
+    /// The largest sum of a position's coordinates so far.
     far: f64,
     /// The squared distance from which on two discs may be told apart.
     least: f64,
@@ -41,50 +38,26 @@ impl Track {
         }
     }
 
-    /// The largest of its numbers, of the position the sum of both.
-    fn far(&self) -> f64 {
-        let Self {
-            position: [x, y],
-            velocity: [vx, vy],
-            since,
-            radius,
-        } = self;
-        let far = x.abs() + y.abs();
-        far.max(vx.abs().max(vy.abs()))
-            .max(since.abs().max(*radius))
-    }
-
     #[inline(always)]
     fn at(&self, time: f64) -> [f64; 2] {
         let flown = time - self.since;
         [0, 1].map(|axis| self.position[axis] + self.velocity[axis] * flown)
     }
 
-    /// The same motion from another time on.
+    /// Whether another disc surely does not touch this one up to a time.
     #[inline(always)]
-    fn from(&self, time: f64) -> Self {
-        Self {
-            position: self.at(time),
-            since: time,
-            ..*self
-        }
-    }
-
-    /// How another disc passes this one from now on.
-    #[inline(always)]
-    fn passed_by(&self, other: &Self) -> Passage {
-        let place = other.at(self.since);
-        let offset = [0, 1].map(|axis| place[axis] - self.position[axis]);
+    fn stays_clear_of(&self, other: &Self, least: f64, until: f64) -> bool {
+        let since = if self.since > other.since {
+            self.since
+        } else {
+            other.since
+        };
+        let (place, other_place) = (self.at(since), other.at(since));
+        let offset = [0, 1].map(|axis| other_place[axis] - place[axis]);
         let velocity = [0, 1].map(|axis| other.velocity[axis] - self.velocity[axis]);
-        Passage::new(offset, velocity, self.radius + other.radius)
+        let reach = self.radius + other.radius;
+        stays_clear(offset, least, velocity, reach, until - since)
     }
-}
-
-/// A disc that another one may meet, and how it passes from now on.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Passer {
-    pub(super) disc: u32,
-    passage: Passage,
 }
 
 impl Tracks {
@@ -93,7 +66,6 @@ impl Tracks {
         let discs = 0..flights.world.discs.len();
         let mut tracks = Self {
             tracks: Vec::new(),
-            now: 0.0,
             far: 0.0,
             least: least_clear(0.0),
         };
@@ -112,10 +84,7 @@ impl Tracks {
         }
         let track = Track::of(flights, disc);
         self.tracks[disc] = track;
-        if track.since > self.now {
-            self.now = track.since;
-        }
-        let far = track.far();
+        let far = track.position[0].abs() + track.position[1].abs();
         if far > self.far {
             // Where one of two discs is, and so the way of the other to where it is
             // then, is no further than that.
@@ -124,57 +93,17 @@ impl Tracks {
         }
     }
 
-    /// Whether they are of use.
+    /// How a disc moves, where that is of use.
     #[inline]
-    pub(super) fn are_kept(&self) -> bool {
-        !self.tracks.is_empty()
+    pub(super) fn of(&self, disc: usize) -> Option<&Track> {
+        self.tracks.get(disc)
     }
 
-    /// Lists those of some discs that one may meet from now on, and leaves no others
-    /// of these. It meets neither itself nor the one that it has `parted` from.
-    #[inline]
-    pub(super) fn list_passers(
-        &self,
-        disc: usize,
-        parted: Option<u32>,
-        others: &mut Vec<u32>,
-        list: &mut Vec<Passer>,
-    ) {
-        let track = self.tracks[disc].from(self.now);
-        let own = disc as u32;
-        self.drop_clear(&track, [own, parted.unwrap_or(own)], others);
-        list.clear();
-        list.extend(others.iter().map(|&other| Passer {
-            disc: other,
-            passage: track.passed_by(&self.tracks[other as usize]),
-        }));
-    }
-
-    /// Drops the discs that surely never meet one that moves so, and two more. Which ones
-    /// do is as good as random: so there are no branches on that.
-    fn drop_clear(&self, track: &Track, [one, two]: [u32; 2], others: &mut Vec<u32>) {
-        let mut left = 0;
-        for place in 0..others.len() {
-            let other = others[place];
-            let passage = track.passed_by(&self.tracks[other as usize]);
-            others[left] = other;
-            let may_meet = (other != one) & (other != two) & !passage.is_clear(self.least);
-            left += usize::from(may_meet);
-        }
-        others.truncate(left);
-    }
-
-    /// When a disc meets one that it passes, or infinity: a guess.
-    #[inline]
-    pub(super) fn likely_time(&self, passer: &Passer) -> f64 {
-        self.now + passer.passage.likely_delay()
-    }
-
-    /// Whether a disc surely does not meet one that it passes up to a time, by far more
-    /// than a time rounds.
-    #[inline]
-    pub(super) fn is_clear(&self, passer: &Passer, until: f64) -> bool {
+    /// Whether two discs surely do not touch up to a time, by far more than a
+    /// time rounds.
+    #[inline(always)]
+    pub(super) fn are_clear(&self, track: &Track, other: usize, until: f64) -> bool {
         let until = until + 8.0 * f64::EPSILON * until.abs();
-        passer.passage.is_clear_for(self.least, until - self.now)
+        track.stays_clear_of(&self.tracks[other], self.least, until)
     }
 }

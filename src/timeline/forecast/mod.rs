@@ -20,7 +20,7 @@ use std::cmp::Ordering::Greater;
 use super::arbiter::Timed;
 use super::flight::Flights;
 use super::neighbours::{BroadPhase, Neighbours};
-use super::tracks::{Passer, Tracks};
+use super::tracks::{Track, Tracks};
 use crate::body::Feature;
 use crate::kernel::Kernel;
 use crate::world::Obstacle;
@@ -39,8 +39,6 @@ pub(super) struct Forecaster {
     neighbours: Neighbours,
     /// The discs that a disc may meet.
     near: Vec<u32>,
-    /// Those of them that come near, where that is simple.
-    passers: Vec<Passer>,
     /// What of the bodies that a disc may meet bounds have not ruled out.
     survivors: Vec<Survivor>,
     /// No meeting after this is of interest.
@@ -66,7 +64,6 @@ impl Forecaster {
             tracks: Tracks::new(flights),
             neighbours: Neighbours::new(flights, phase),
             near: Vec::new(),
-            passers: Vec::new(),
             survivors: Vec::new(),
             horizon,
             closest: f64::INFINITY,
@@ -154,14 +151,12 @@ impl Forecaster {
         let (world, near) = (&flights.world, self.neighbours.of(disc));
         near.visit_walls(world, |wall| sieve.add(Obstacle::Wall(wall as usize)));
         near.list_discs(world, &mut self.near);
-        if self.tracks.are_kept() {
-            let parted = parted_from(flights, disc);
-            let (near, passers) = (&mut self.near, &mut self.passers);
-            self.tracks.list_passers(disc, parted, near, passers);
-            add_passers(&mut sieve, &self.tracks, &self.passers);
-        } else {
-            for &other in self.near.iter().filter(|&&other| other as usize != disc) {
-                sieve.add(Obstacle::Disc(other as usize));
+        let track = self.tracks.of(disc);
+        for &other in &self.near {
+            let other = other as usize;
+            let is_clear = |track: &Track| self.tracks.are_clear(track, other, sieve.latest);
+            if other != disc && !track.is_some_and(is_clear) {
+                sieve.add(Obstacle::Disc(other));
             }
         }
         sieve.finish();
@@ -198,48 +193,5 @@ impl Forecaster {
         }
         self.closest = self.closest.min(first.closest);
         Ok(first.finish(disc))
-    }
-}
-
-/// The disc that another one has parted from, if the two do not meet as they move now.
-#[inline]
-fn parted_from<S: Timed>(flights: &Flights<S>, disc: usize) -> Option<u32> {
-    match flights.world.discs[disc].last {
-        Some(Feature::Disc(other)) => {
-            let obstacle = Obstacle::Disc(other as usize);
-            flights.world.is_barred(disc, obstacle).then_some(other)
-        }
-        _ => None,
-    }
-}
-
-/// Adds what passes a disc to what that may meet first: the likely first one before the
-/// others, for mostly it rules them out.
-#[inline]
-fn add_passers<S: Timed>(
-    sieve: &mut Sieve<'_, S, impl Fn(Obstacle) -> bool, impl Fn(Obstacle, Feature, bool) -> bool>,
-    tracks: &Tracks,
-    passers: &[Passer],
-) {
-    if let [passer] = passers {
-        if !tracks.is_clear(passer, sieve.latest) {
-            sieve.add(Obstacle::Disc(passer.disc as usize));
-        }
-        return;
-    }
-    let (mut first, mut time) = (usize::MAX, sieve.latest);
-    for (place, passer) in passers.iter().enumerate() {
-        let likely = tracks.likely_time(passer);
-        if likely < time {
-            (first, time) = (place, likely);
-        }
-    }
-    if let Some(passer) = passers.get(first) {
-        sieve.add(Obstacle::Disc(passer.disc as usize));
-    }
-    for (place, passer) in passers.iter().enumerate() {
-        if place != first && !tracks.is_clear(passer, sieve.latest) {
-            sieve.add(Obstacle::Disc(passer.disc as usize));
-        }
     }
 }

@@ -230,8 +230,8 @@ impl<S: Kernel> Periodic<S> {
     /// Collects the discs whose forecasts may come true no later than that with the
     /// least lower bound.
     fn collect_front(&mut self) {
-        let end = |disc: usize| self.forecasts[disc].bounds()[1];
-        self.queue.collect_front(&mut self.front, end);
+        let [_, end] = self.forecasts[self.queue.least_slot()].bounds();
+        self.queue.collect_up_to(end, &mut self.front);
     }
 
     /// Makes one forecast of the front anew, if one no longer holds or goes not far
