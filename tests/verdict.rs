@@ -4,7 +4,7 @@
 use std::ops::ControlFlow::Continue;
 
 use carom::body::{BodyId, Pair};
-use carom::judge::{Logged, Margin, Reference, Standing, Verdict};
+use carom::judge::{Decision, Logged, Margin, Reference, Standing, Verdict};
 use carom::run::Options;
 use carom::scene::{Disc, Scene, SceneBuilder};
 
@@ -84,10 +84,11 @@ fn a_rule_that_is_confirmed_excuses_no_more() {
 fn a_margin_is_the_time_between_two_impacts() {
     let swapped = [discs(1, 2, 1.0), discs(0, 1, 1.0)];
     let verdict = judged(&pinched(256.0), &swapped);
-    let Some(Margin::Order { apart, ulps, .. }) = verdict.margin else {
-        panic!("an order: {:?}", verdict.margin);
-    };
-    assert_eq!((apart, ulps), (256.0 * f64::EPSILON, 256.0));
+    let Margin {
+        of, value, ulps, ..
+    } = verdict.margin.expect("a margin");
+    let apart = 256.0 * f64::EPSILON;
+    assert_eq!((of, value, ulps), (Decision::Order, apart, 256.0));
     assert_eq!(verdict.missed, Some(0));
 }
 
@@ -106,11 +107,10 @@ fn a_pass_is_judged_by_its_margin() {
     assert_eq!(verdict(2.0).standing, Standing::Close);
     let far = verdict(4096.0);
     assert_eq!(far.standing, Standing::Differs);
-    let Some(Margin::Room { ulps, .. }) = far.margin else {
-        panic!("room: {:?}", far.margin);
-    };
-    // d² - R² = (R + m)² - R² is 2 R m and m², which is left out.
-    approx::assert_relative_eq!(ulps, 4096.0, max_relative = 1e-9);
+    let Margin { of, ulps, .. } = far.margin.expect("a margin");
+    assert_eq!(of, Decision::Meeting);
+    // d² - R² = (R + m)² - R² is 2 R m and m², which is left out: m / 2R, some 5e-13.
+    approx::assert_relative_eq!(ulps, 4096.0, max_relative = 1e-12);
     // Who truly meets, and is missed, is judged likewise.
     assert_eq!(judged(&passing(-2.0), &[]).standing, Standing::Close);
     assert_eq!(judged(&passing(-4096.0), &[]).standing, Standing::Differs);

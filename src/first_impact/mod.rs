@@ -38,6 +38,11 @@ use stadium::Stadium;
 
 /// What comes of two bodies, if nothing else happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "json",
+    derive(serde::Serialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Class {
     /// They do not meet.
     Miss,

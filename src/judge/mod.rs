@@ -20,4 +20,4 @@ pub use difference::{Difference, first_difference};
 pub use frames::{Judged, Split, judge, judge_and_split};
 pub use tally::{Logged, Tally, compare_frame};
 pub use truth::{Truth, true_frame};
-pub use verdict::{Margin, Reference, Standing, Verdict};
+pub use verdict::{Decision, Margin, Reference, Standing, Verdict};

@@ -56,10 +56,7 @@ pub use resume::end_scene;
 #[cfg(feature = "cli")]
 pub use schema::{events_schema, state_schema, verdict_schema};
 pub use state::{DiscState, State, StateFormat};
-pub use verdict::{
-    Decision, FirstDifference, Judgement, LoggedImpact, MarginReport, StandingName, TrueImpact,
-    VerdictFormat,
-};
+pub use verdict::{FirstDifference, Judgement, LoggedImpact, TrueImpact, VerdictFormat};
 
 /// The significant decimal digits of proven bounds, unless more are asked
 /// for.

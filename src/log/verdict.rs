@@ -17,7 +17,7 @@ pub struct Judgement {
     /// The scene's name.
     pub scene: String,
     /// How the log stands to the truth.
-    pub verdict: StandingName,
+    pub verdict: Standing,
     /// The impacts that truly happen.
     pub impacts: u64,
     /// How the exact run ended, beyond which nothing is known.
@@ -46,25 +46,6 @@ pub enum VerdictFormat {
     Verdict1,
 }
 
-/// How a log stands to the truth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum StandingName {
-    /// It follows the truth to the end.
-    Follows,
-    /// It differs from where on a rule for simultaneous impacts counts.
-    Simultaneous,
-    /// It differs by a tangent pass, which touches and does not collide.
-    Tangent,
-    /// It differs where binary64 no longer carries the order.
-    Beyond,
-    /// It differs by what is closer than binary64 resolves.
-    Close,
-    /// It differs, and nothing excuses that.
-    Differs,
-}
-
 /// Where a log leaves the truth.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
@@ -83,8 +64,8 @@ pub struct FirstDifference {
     pub log: Option<LoggedImpact>,
     /// How close the decision was, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "cli", schemars(with = "MarginReport"))]
-    pub margin: Option<MarginReport>,
+    #[cfg_attr(feature = "cli", schemars(with = "Margin"))]
+    pub margin: Option<Margin>,
 }
 
 /// An impact that truly happens.
@@ -115,31 +96,6 @@ pub struct LoggedImpact {
     pub time: f64,
 }
 
-/// How close a decision was.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
-pub struct MarginReport {
-    /// What was decided.
-    pub of: Decision,
-    /// By how much: a time, or a length.
-    pub value: f64,
-    /// The same in ulps of the time, or of the distance at which the two touch.
-    pub ulps: f64,
-    /// What binary64 resolves there.
-    pub resolution: f64,
-}
-
-/// What a margin is that of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum Decision {
-    /// Which of two impacts comes first.
-    Order,
-    /// Whether two bodies meet.
-    Meeting,
-}
-
 impl Judgement {
     /// The judgement of a log, with so many digits of true times.
     pub fn new(scene: &Scene, reference: &Reference<'_>, verdict: &Verdict, digits: u32) -> Self {
@@ -147,7 +103,7 @@ impl Judgement {
         Self {
             schema: VerdictFormat::Verdict1,
             scene: scene.id().to_owned(),
-            verdict: verdict.standing.into(),
+            verdict: verdict.standing,
             impacts: reference.impacts().len() as u64,
             truth: reference.status().into(),
             matched: verdict.matched,
@@ -161,7 +117,7 @@ impl Judgement {
                     .missed
                     .and_then(|place| TrueImpact::new(reference, place, digits)),
                 log: difference.candidate.map(LoggedImpact::from),
-                margin: verdict.margin.map(MarginReport::from),
+                margin: verdict.margin,
             }),
         }
     }
@@ -185,42 +141,6 @@ impl TrueImpact {
 impl From<(Pair, f64)> for LoggedImpact {
     fn from((Pair { a, b }, time): (Pair, f64)) -> Self {
         Self { a, b, time }
-    }
-}
-
-impl From<Margin> for MarginReport {
-    fn from(margin: Margin) -> Self {
-        let (of, value, ulps, resolution) = match margin {
-            Margin::Order {
-                apart,
-                ulps,
-                resolution,
-            } => (Decision::Order, apart, ulps, resolution),
-            Margin::Room {
-                length,
-                ulps,
-                resolution,
-            } => (Decision::Meeting, length, ulps, resolution),
-        };
-        Self {
-            of,
-            value,
-            ulps,
-            resolution,
-        }
-    }
-}
-
-impl From<Standing> for StandingName {
-    fn from(standing: Standing) -> Self {
-        match standing {
-            Standing::Follows => Self::Follows,
-            Standing::Simultaneous => Self::Simultaneous,
-            Standing::Tangent => Self::Tangent,
-            Standing::Beyond => Self::Beyond,
-            Standing::Close => Self::Close,
-            Standing::Differs => Self::Differs,
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! A verdict as a JUnit report, which continuous integration shows.
 
-use carom::log::{Judgement, StandingName};
+use carom::judge::Standing;
+use carom::log::Judgement;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::message;
@@ -19,7 +20,7 @@ pub(super) fn report(judgement: &Judgement) -> String {
 }
 
 fn status(judgement: &Judgement) -> TestCaseStatus {
-    if judgement.verdict != StandingName::Differs {
+    if judgement.verdict != Standing::Differs {
         return TestCaseStatus::success();
     }
     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use carom::log::{Decision, FirstDifference, Judgement, MarginReport, StandingName};
+use carom::judge::{Decision, Margin, Standing};
+use carom::log::{FirstDifference, Judgement};
 
 /// What a log comes to, some lines of text.
 pub(super) fn text(judgement: &Judgement) -> String {
@@ -37,16 +38,16 @@ pub(super) fn text(judgement: &Judgement) -> String {
 }
 
 /// How a log stands to the truth, in a few words.
-pub(super) fn headline(standing: StandingName) -> &'static str {
+pub(super) fn headline(standing: Standing) -> &'static str {
     match standing {
-        StandingName::Follows => "follows the truth",
-        StandingName::Simultaneous => {
+        Standing::Follows => "follows the truth",
+        Standing::Simultaneous => {
             "differs where simultaneous impacts share a disc, which is a matter of convention"
         }
-        StandingName::Tangent => "differs by a tangent pass, which is a matter of convention",
-        StandingName::Beyond => "follows the truth for as long as binary64 carries the order",
-        StandingName::Close => "differs by what is closer than binary64 resolves",
-        StandingName::Differs => "differs from the truth",
+        Standing::Tangent => "differs by a tangent pass, which is a matter of convention",
+        Standing::Beyond => "follows the truth for as long as binary64 carries the order",
+        Standing::Close => "differs by what is closer than binary64 resolves",
+        Standing::Differs => "differs from the truth",
     }
 }
 
@@ -69,8 +70,8 @@ pub(super) fn told(difference: &FirstDifference) -> Vec<String> {
     lines
 }
 
-fn close(margin: &MarginReport) -> String {
-    let MarginReport {
+fn close(margin: &Margin) -> String {
+    let Margin {
         value,
         ulps,
         resolution,

@@ -37,7 +37,7 @@ pub(super) enum Content {
 /// How two bodies first meet.
 #[derive(Serialize)]
 pub(super) struct Met {
-    class: ClassName,
+    class: Class,
     #[serde(skip_serializing_if = "Option::is_none")]
     time: Option<Time>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -73,17 +73,6 @@ pub(super) struct LogAnswer {
 pub(super) struct Problem {
     line: u64,
     reason: String,
-}
-
-#[derive(Clone, Copy, Serialize)]
-#[serde(rename_all = "kebab-case")]
-enum ClassName {
-    Miss,
-    Hit,
-    Graze,
-    TouchingApproaching,
-    TouchingSeparating,
-    Overlap,
 }
 
 impl<'a> Answer<'a> {
@@ -199,7 +188,7 @@ fn wanted<'a>(value: Option<&'a RawValue>, key: &str) -> Result<&'a str, String>
 impl From<FirstImpact> for Met {
     fn from(met: FirstImpact) -> Self {
         Self {
-            class: met.class.into(),
+            class: met.class,
             end: met.end,
             time: met.time.map(|time| Time {
                 bounds: Bounds::of_quadratic(&time, MIN_DIGITS),
@@ -209,19 +198,6 @@ impl From<FirstImpact> for Met {
                     d: time.d.to_string(),
                 },
             }),
-        }
-    }
-}
-
-impl From<Class> for ClassName {
-    fn from(class: Class) -> Self {
-        match class {
-            Class::Miss => Self::Miss,
-            Class::Hit => Self::Hit,
-            Class::Graze => Self::Graze,
-            Class::TouchingApproaching => Self::TouchingApproaching,
-            Class::TouchingSeparating => Self::TouchingSeparating,
-            Class::Overlap => Self::Overlap,
         }
     }
 }

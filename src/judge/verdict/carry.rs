@@ -18,8 +18,8 @@ use crate::simulation::Algorithm;
 /// A program may err by so much more than these.
 const LENIENCE: f64 = 16.0;
 
-/// A time that is computed from exact numbers may err by so many ulps.
-const ROUNDING: f64 = 8.0;
+/// What is computed from exact numbers may err by so many ulps.
+pub(super) const ROUNDING: f64 = 8.0;
 
 /// How far binary64 follows the truth.
 #[derive(Clone, Debug)]

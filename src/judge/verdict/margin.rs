@@ -7,7 +7,7 @@
 
 use std::cmp::Ordering;
 
-use super::carry::Carry;
+use super::carry::{Carry, ROUNDING};
 use crate::body::{BodyId, Disc, Pair};
 use crate::detect::{End, Segment, meet_circle, meet_segment};
 use crate::judge::Difference;
@@ -20,31 +20,39 @@ use crate::world::World;
 
 /// How close a decision was.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Margin {
-    /// Which of two impacts comes first: how far they are apart in time.
-    Order {
-        /// The time between them.
-        apart: f64,
-        /// In ulps of the time.
-        ulps: f64,
-        /// What binary64 resolves there.
-        resolution: f64,
-    },
-    /// Whether two bodies meet: how far they pass by, or would enter each other.
-    Room {
-        /// The length.
-        length: f64,
-        /// In ulps of the distance at which they touch.
-        ulps: f64,
-        /// What binary64 resolves there.
-        resolution: f64,
-    },
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+pub struct Margin {
+    /// What was decided.
+    pub of: Decision,
+    /// By how much: of an order the time between two impacts, of a meeting the length by
+    /// which two bodies pass, or would enter each other.
+    pub value: f64,
+    /// The same in ulps of the time, or of the distance at which the two touch.
+    pub ulps: f64,
+    /// What binary64 resolves there.
+    pub resolution: f64,
+}
+
+/// What a margin is that of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "json",
+    derive(serde::Serialize),
+    serde(rename_all = "kebab-case")
+)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
+pub enum Decision {
+    /// Which of two impacts comes first.
+    Order,
+    /// Whether two bodies meet.
+    Meeting,
 }
 
 impl Margin {
     /// Whether bodies pass in tangency, as far as exact arithmetic tells.
     pub fn is_tangent(&self) -> bool {
-        matches!(self, Self::Room { length: 0.0, .. })
+        self.of == Decision::Meeting && self.value == 0.0
     }
 
     /// Whether that is closer than binary64 resolves.
@@ -54,18 +62,7 @@ impl Margin {
 
     /// The margin in terms of what binary64 resolves.
     fn closeness(&self) -> f64 {
-        match *self {
-            Self::Order {
-                apart: margin,
-                resolution,
-                ..
-            }
-            | Self::Room {
-                length: margin,
-                resolution,
-                ..
-            } => margin / resolution,
-        }
+        self.value / self.resolution
     }
 }
 
@@ -112,8 +109,9 @@ impl<'a> Question<'a> {
     /// How close it was that a pair collides instead of another.
     fn instead(&self, pair: Pair, truth: Option<(Pair, f64)>, carry: &Carry) -> Option<Margin> {
         match (self.fate(pair)?, truth) {
-            (Fate::Meet(time), Some((_, first))) => Some(Margin::Order {
-                apart: (time - first).abs(),
+            (Fate::Meet(time), Some((_, first))) => Some(Margin {
+                of: Decision::Order,
+                value: (time - first).abs(),
                 ulps: (time - first).abs() / ulp(first),
                 resolution: carry.resolution(first),
             }),
@@ -150,10 +148,11 @@ impl<'a> Question<'a> {
             return None;
         };
         let time = self.difference.time;
-        Some(Margin::Room {
-            length,
+        Some(Margin {
+            of: Decision::Meeting,
+            value: length,
             ulps: length / ulp(reach),
-            resolution: (carry.resolution(time) * speed).max(8.0 * ulp(reach)),
+            resolution: (carry.resolution(time) * speed).max(ROUNDING * ulp(reach)),
         })
     }
 }

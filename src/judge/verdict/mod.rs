@@ -29,10 +29,16 @@ use crate::simulation::Algorithm;
 use crate::support::Unsupported;
 use carry::Carry;
 
-pub use margin::Margin;
+pub use margin::{Decision, Margin};
 
 /// How a log stands to the truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "json",
+    derive(serde::Serialize),
+    serde(rename_all = "kebab-case")
+)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 pub enum Standing {
     /// It follows the truth to the end.
     Follows,
