@@ -1,18 +1,21 @@
 //! `carom figures`: the paper's figures, from real runs.
 
 use std::fs;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
-use carom::arithmetic::{Arithmetic, Budget};
 use carom::frame::Passes;
+use carom::run::{Options, run};
 use carom::scalar::Exact;
 use carom::scene::{Restitution, Scene};
 use carom::simulation::Algorithm;
-use maud::{DOCTYPE, html};
+use maud::html;
 
 use super::draw::{Panel, Story, picture};
 use super::error::Error;
 use super::exit::Exit;
+use super::html;
+use super::motion::Motion;
 use super::output::Output;
 
 /// Draw the paper's figures 2 to 8 and its two timelines.
@@ -51,6 +54,12 @@ macro_rules! scene {
         include_str!(concat!("../../scenes/", $name, ".json"))
     };
 }
+
+const STYLE: &str = "
+body { max-width: 72rem; margin: auto; padding: 1rem; font-family: sans-serif; }
+figure { margin: 0 0 2rem; }
+img { max-width: 100%; height: auto; background: #fff; }
+";
 
 const TWICE: Algorithm = Algorithm::Multiple(Passes::Count(2));
 
@@ -175,9 +184,15 @@ fn elastic(scene: &Scene) -> Scene {
 }
 
 fn story(scene: &Scene, algorithm: Algorithm) -> Story {
-    let bits = Exact::first_precision(&Budget::default());
-    let story = Story::of::<Exact>(scene, algorithm, bits, 0..scene.frame().count);
-    story.expect("these scenes are decided with few bits")
+    let options = Options {
+        contacts: true,
+        ..Options::default()
+    };
+    let go_on = &mut |_| ControlFlow::Continue(());
+    let outcome = run::<Exact>(scene, algorithm, &options, go_on);
+    let outcome = outcome.expect("these scenes need nothing special");
+    let motion = Motion::new(scene, algorithm, &outcome);
+    Story::of(scene, &motion, [0.0, motion.until])
 }
 
 /// Whether impacts or ends are elsewhere.
@@ -191,34 +206,19 @@ fn differ(one: &Story, other: &Story) -> bool {
 }
 
 fn index() -> String {
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { "carom: the paper's figures" }
-                style {
-                    "body { max-width: 72rem; margin: auto; padding: 1rem; font-family: sans-serif;"
-                    " color-scheme: light dark; } figure { margin: 0 0 2rem; }"
-                    " img { max-width: 100%; height: auto; background: #fff; }"
-                }
-            }
-            body {
-                h1 { "The paper's figures, from real runs" }
-                p {
-                    "Bodies in colour where they start, blue arrows for how they move; orange "
-                    "circles where they collide, by their numbers, and orange arrows for how they "
-                    "go on; in grey the rest of the way."
-                }
-                @for figure in &FIGURES {
-                    figure {
-                        img src=(format!("{}.svg", figure.name)) alt=(figure.caption);
-                        figcaption { (figure.name) ": " (figure.caption) }
-                    }
-                }
+    let body = html! {
+        h1 { "The paper's figures, from real runs" }
+        p {
+            "Bodies in colour where they start, blue arrows for how they move; orange "
+            "circles where they collide, by their numbers, and orange arrows for how they "
+            "go on; in grey the rest of the way."
+        }
+        @for figure in &FIGURES {
+            figure {
+                img src=(format!("{}.svg", figure.name)) alt=(figure.caption);
+                figcaption { (figure.name) ": " (figure.caption) }
             }
         }
     };
-    page.into_string()
+    html::page("carom: the paper's figures", STYLE, &body)
 }

@@ -50,6 +50,22 @@ impl Output {
     }
 }
 
+/// Whether all results go to places of their own: a file holds one, and so does standard
+/// output. Each is told by its option.
+pub(super) fn check_distinct(outputs: &[(&str, &Option<PathBuf>)]) -> Result<(), Error> {
+    for (place, (option, path)) in outputs.iter().enumerate() {
+        let others = &outputs[..place];
+        let same = others.iter().find(|(_, other)| other == path);
+        if let (Some((other, _)), Some(path)) = (same, path) {
+            return Err(Error::Usage(format!(
+                "{}: expected only one of {other} and {option}",
+                path.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Whether a path means standard input or output.
 pub(super) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")

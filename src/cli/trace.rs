@@ -3,12 +3,10 @@
 //!
 //! A second of simulated time is a second of the trace.
 
-use std::collections::HashMap;
-
 use carom::arithmetic::Arithmetic;
 use carom::body::BodyId;
+use carom::impact::Impact;
 use carom::run::Outcome;
-use carom::scalar::Scalar;
 use serde::Serialize;
 
 /// Microseconds in a second, the unit of traces.
@@ -60,6 +58,13 @@ struct Named {
     name: String,
 }
 
+/// The bodies of an impact, and when it happens on the clock of each.
+fn ends<S: Arithmetic>(impact: &Impact<S>) -> [(BodyId, f64); 2] {
+    let time = impact.time.to_f64();
+    let other = impact.other_time.as_ref().map_or(time, S::to_f64);
+    [(impact.pair.a, time), (impact.pair.b, other)]
+}
+
 /// The tracks of discs, with those of walls after them.
 struct Tracks {
     discs: usize,
@@ -72,26 +77,20 @@ impl Trace {
             discs: outcome.start.len(),
         };
         let mut events = tracks.names(walls);
-        let mut begun: HashMap<BodyId, (f64, String)> = HashMap::new();
+        let mut turns = vec![Vec::new(); tracks.discs];
         for (number, impact) in outcome.impacts.iter().enumerate() {
-            let times = [
-                &impact.time,
-                impact.other_time.as_ref().unwrap_or(&impact.time),
-            ];
-            let bodies = [impact.pair.a, impact.pair.b];
             let name = impact.pair.to_string();
-            for (body, time) in bodies.into_iter().zip(times.map(Scalar::to_f64)) {
-                let leg = begun.insert(body, (time, format!("after {name}")));
-                events.extend(tracks.leg(body, leg, time));
+            let ends = ends(impact);
+            for (body, time) in ends {
+                if let BodyId::Disc(disc) = body {
+                    turns[disc as usize].push((time, format!("after {name}")));
+                }
             }
-            let [one, other] = times.map(Scalar::to_f64);
-            events.extend(tracks.arrow(number, &name, [(bodies[0], one), (bodies[1], other)]));
+            events.extend(tracks.arrow(number, &name, ends));
         }
         let end = outcome.time.to_f64();
-        for index in 0..tracks.discs as u32 {
-            let disc = BodyId::Disc(index);
-            let leg = begun.remove(&disc);
-            events.extend(tracks.leg(disc, leg, end));
+        for (disc, turns) in (0..).map(BodyId::Disc).zip(turns) {
+            events.extend(tracks.legs(disc, turns, end));
         }
         Self {
             trace_events: events,
@@ -121,14 +120,25 @@ impl Tracks {
         names.collect()
     }
 
-    /// What a disc does up to a time, since the start or its impact before. Walls do
-    /// nothing.
-    fn leg(&self, body: BodyId, since: Option<(f64, String)>, until: f64) -> Option<TraceEvent> {
-        let (begun, name) = since.unwrap_or_else(|| (0.0, String::from("start")));
-        matches!(body, BodyId::Disc(_)).then(|| TraceEvent {
-            dur: Some((until - begun) * MICROSECONDS),
-            ..self.event(&name, Phase::Slice, body, begun)
-        })
+    /// What a disc does between its impacts, up to the end. Those of a frame algorithm
+    /// need not stand in the order of its clock.
+    fn legs(
+        &self,
+        disc: BodyId,
+        mut turns: Vec<(f64, String)>,
+        end: f64,
+    ) -> impl Iterator<Item = TraceEvent> {
+        turns.insert(0, (0.0, String::from("start")));
+        turns.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let times: Vec<f64> = turns.iter().map(|(time, _)| *time).collect();
+        let ends = times.into_iter().skip(1).chain([end]);
+        turns
+            .into_iter()
+            .zip(ends)
+            .map(move |((begun, name), end)| TraceEvent {
+                dur: Some((end - begun) * MICROSECONDS),
+                ..self.event(&name, Phase::Slice, disc, begun)
+            })
     }
 
     /// The arrow of an impact, from the leg that it ends to that which it begins.

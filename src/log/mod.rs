@@ -61,3 +61,9 @@ pub use verdict::{FirstDifference, Judgement, LoggedImpact, TrueImpact, VerdictF
 /// The significant decimal digits of proven bounds, unless more are asked
 /// for.
 pub const MIN_DIGITS: u32 = 20;
+
+/// The digits that a run must prove so that so many can be shown: bounds that are a
+/// little apart may straddle the last one, and one more makes them close enough.
+pub fn proven_digits(shown: u32) -> u32 {
+    shown + 1
+}

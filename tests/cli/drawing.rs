@@ -88,12 +88,19 @@ fn figure_5_is_traced() {
 #[test]
 fn no_two_results_go_to_one_file() {
     let name = scene("figure-5.json");
-    let (status, message) = ending(&["run", &name, "--svg", "out", "--trace", "out"]);
-    assert_eq!(status, 2);
-    assert!(
-        message.contains("out: expected only one of --svg and --trace"),
-        "{message}"
-    );
+    let refused = |arguments: &[&str], options: &str| {
+        let (status, message) = ending(arguments);
+        let expected = format!("out: expected only one of {options}");
+        assert!(status == 2 && message.contains(&expected), "{message}");
+    };
+    let outputs = ["run", &name, "--svg", "out", "--trace", "out"];
+    refused(&outputs, "--svg and --trace");
+    let outputs = ["compare", &name, "--json", "out", "--html", "out"];
+    refused(&outputs, "--json and --html");
+    let outputs = [
+        "check", &name, "--events", "-", "--json", "out", "--junit", "out",
+    ];
+    refused(&outputs, "--json and --junit");
 }
 
 /// The data of a replay.

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use carom::judge::{Logged, Reference, Verdict};
-use carom::log::{Event, Judgement, Log, MIN_DIGITS};
+use carom::log::{Event, Judgement, Log, MIN_DIGITS, proven_digits};
 use carom::run::Options;
 use carom::scalar::{Exact, Number};
 use carom::scene::Scene;
@@ -19,7 +19,7 @@ use carom::support::check_support;
 use super::choice::{self, BudgetArguments, Rule};
 use super::error::Error;
 use super::exit::Exit;
-use super::output::{Output, is_standard, standard};
+use super::output::{Output, check_distinct, is_standard, standard};
 use super::progress::RunBar;
 
 /// Judge another program's event log.
@@ -82,18 +82,11 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
 impl Arguments {
     /// Standard input is read once, and written to once.
     fn check_paths(&self) -> Result<(), Error> {
-        let outputs = [&self.json, &self.junit].map(Option::as_deref);
         if is_standard(&self.scene) && is_standard(&self.events) {
             let problem = "-: expected only one of the scene and --events";
             return Err(Error::Usage(String::from(problem)));
         }
-        match outputs {
-            [Some(json), Some(junit)] if json == junit => Err(Error::Usage(format!(
-                "{}: expected only one of --json and --junit",
-                json.display()
-            ))),
-            _ => Ok(()),
-        }
+        check_distinct(&[("--json", &self.json), ("--junit", &self.junit)])
     }
 
     fn options(&self) -> Options {
@@ -101,7 +94,7 @@ impl Arguments {
             until: self.until.clone(),
             max_events: u64::MAX,
             budget: self.budget.budget(),
-            digits: MIN_DIGITS + 1,
+            digits: proven_digits(MIN_DIGITS),
             simultaneous: self.simultaneous.simultaneous(),
             ..Options::default()
         }

@@ -2,6 +2,7 @@
 //! arithmetic.
 
 mod candidate;
+mod colour;
 mod cost;
 mod page;
 mod report;
@@ -9,6 +10,7 @@ mod row;
 mod table;
 pub(super) mod table1;
 mod truth;
+mod units;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -24,7 +26,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use super::choice::{AlgorithmName, ArithmeticName, BudgetArguments, Phase};
 use super::error::Error;
 use super::exit::Exit;
-use super::output::{Output, is_standard, standard};
+use super::output::{Output, check_distinct, is_standard, standard};
 use super::progress;
 use candidate::{Candidate, Selection};
 use cost::{Effort, in_turn};
@@ -152,6 +154,7 @@ impl Comparison {
 }
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
+    check_distinct(&[("--json", &arguments.json), ("--html", &arguments.html)])?;
     let paths = arguments.scenes.iter();
     let scenes: Vec<_> = paths.map(Scene::read).collect::<Result<_, _>>()?;
     let json = arguments.json.as_deref();

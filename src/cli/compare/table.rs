@@ -8,6 +8,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use super::Comparison;
 use super::row::Row;
 use super::truth::Truth;
+use super::units::duration;
 
 const HEADINGS: [&str; 10] = [
     "algorithm",
@@ -119,32 +120,5 @@ fn error(size: f64) -> String {
     match size {
         0.0 => String::from("0"),
         _ => format!("{size:.1e}"),
-    }
-}
-
-/// Seconds, in the unit that suits them.
-fn duration(seconds: f64) -> String {
-    let units = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs")];
-    let unit = units.into_iter().find(|(size, _)| seconds >= *size);
-    let (size, name) = unit.unwrap_or((1e-9, "ns"));
-    format!("{:.1} {name}", seconds / size)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn durations_have_units() {
-        let table = [
-            (0.0, "0.0 ns"),
-            (2.5e-8, "25.0 ns"),
-            (1.25e-4, "125.0 µs"),
-            (0.5, "500.0 ms"),
-            (90.0, "90.0 s"),
-        ];
-        for (seconds, expected) in table {
-            assert_eq!(duration(seconds), expected);
-        }
     }
 }

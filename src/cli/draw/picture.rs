@@ -2,8 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::story::{Story, Struck, Vector, Way};
+use super::story::{Hit, Story, Way};
 use super::view::View;
+use crate::cli::motion::Point;
 
 /// The colours of bodies, told apart by most who see colours otherwise, too.
 const COLOURS: [&str; 6] = [
@@ -131,21 +132,21 @@ impl Drawn<'_> {
         }
     }
 
-    fn struck(&self, struck: &Struck) -> Markup {
+    fn struck(&self, struck: &Hit) -> Markup {
         html! {
             (self.circle("struck", struck.centre, struck.radius, None))
             (self.arrow("after", "orange", struck.centre, struck.velocity))
         }
     }
 
-    fn number(&self, number: usize, struck: &Struck) -> Markup {
+    fn number(&self, number: usize, struck: &Hit) -> Markup {
         let [x, y] = self.view.point(struck.centre);
         html! {
             text.number x=(fixed(x + 5.0)) y=(fixed(y - 5.0)) { (number) }
         }
     }
 
-    fn circle(&self, class: &str, centre: Vector, radius: f64, colour: Option<&str>) -> Markup {
+    fn circle(&self, class: &str, centre: Point, radius: f64, colour: Option<&str>) -> Markup {
         let [x, y] = self.view.point(centre).map(fixed);
         let radius = fixed(self.view.length(radius));
         html! {
@@ -153,7 +154,7 @@ impl Drawn<'_> {
         }
     }
 
-    fn path(&self, class: &str, points: &[Vector], colour: Option<&str>) -> Markup {
+    fn path(&self, class: &str, points: &[Point], colour: Option<&str>) -> Markup {
         let points = points.iter().map(|point| pair(self.view.point(*point)));
         let points: Vec<_> = points.collect();
         html! {
@@ -161,7 +162,7 @@ impl Drawn<'_> {
         }
     }
 
-    fn line(&self, class: &str, from: Vector, to: Vector, head: Option<&str>) -> Markup {
+    fn line(&self, class: &str, from: Point, to: Point, head: Option<&str>) -> Markup {
         let ([x, y], [end_x, end_y]) = (self.view.point(from), self.view.point(to));
         let head = head.map(|name| format!("url(#{name})"));
         html! {
@@ -172,7 +173,7 @@ impl Drawn<'_> {
 
     /// A velocity: as far as it leads in the time that is drawn, unless that is too
     /// far; nothing for what rests.
-    fn arrow(&self, class: &str, head: &str, from: Vector, velocity: Vector) -> Markup {
+    fn arrow(&self, class: &str, head: &str, from: Point, velocity: Point) -> Markup {
         let way = velocity.map(|part| part * self.reach());
         let to = [from[0] + way[0], from[1] + way[1]];
         html! {
@@ -196,6 +197,6 @@ fn fixed(number: f64) -> String {
     format!("{number:.2}")
 }
 
-fn pair([x, y]: Vector) -> String {
+fn pair([x, y]: Point) -> String {
     format!("{} {}", fixed(x), fixed(y))
 }

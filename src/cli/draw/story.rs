@@ -1,161 +1,75 @@
-//! What happens in some frames of a run, as numbers to draw.
+//! What happens in a span of time, as numbers to draw.
 
-use std::ops::Range;
-
-use carom::arithmetic::Arithmetic;
-use carom::body::{BodyId, Disc};
-use carom::impact::Impact;
-use carom::scalar::{Doubt, Number, Scalar, Undecided};
+use carom::scalar::Number;
 use carom::scene::Scene;
-use carom::simulation::{Algorithm, Simulation};
-use carom::vec2::Vec2;
 
-/// A point of the plane, or a vector.
-pub(super) type Vector = [f64; 2];
+use crate::cli::motion::{Motion, Point, Struck, Track};
 
-/// What happens in some frames.
-#[derive(Clone, Debug)]
+/// A curve is drawn by so many straight pieces a leg.
+const PIECES: u32 = 16;
+
+/// What happens in a span of time.
+#[derive(Debug)]
 pub(in crate::cli) struct Story {
     pub(super) ways: Vec<Way>,
-    pub(super) walls: Vec<[Vector; 2]>,
+    pub(super) walls: Vec<[Point; 2]>,
     /// The places of discs when they collide, impact by impact.
-    pub(super) impacts: Vec<Vec<Struck>>,
-    /// The simulated time.
+    pub(super) impacts: Vec<Vec<Hit>>,
     pub(super) duration: f64,
 }
 
 /// The way of a disc.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Way {
     pub(super) radius: f64,
     /// How fast it moves at first.
-    pub(super) velocity: Vector,
+    pub(super) velocity: Point,
     /// Where it starts, where it turns and where it ends.
-    pub(super) points: Vec<Vector>,
+    pub(super) points: Vec<Point>,
     /// The point of its last impact.
     pub(super) last: Option<usize>,
-    /// The point at which the latest frame ends.
-    end: Option<usize>,
-    /// Whether it has met nothing in that frame.
-    quiet: bool,
 }
 
 /// A disc that collides.
-#[derive(Clone, Debug)]
-pub(super) struct Struck {
-    pub(super) centre: Vector,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hit {
+    pub(super) centre: Point,
     pub(super) radius: f64,
     /// How fast it moves from then on.
-    pub(super) velocity: Vector,
-}
-
-/// How discs move between impacts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Course {
-    /// In straight lines.
-    Straight,
-    /// Likewise, but for frames in which they collide.
-    Stepwise,
-    /// In curves, which are drawn from one frame's end to the next.
-    Bent,
-}
-
-impl Course {
-    fn of(scene: &Scene, algorithm: Algorithm) -> Self {
-        if scene.effects().gravity.is_some() {
-            Self::Bent
-        } else if algorithm == Algorithm::Timeline {
-            Self::Straight
-        } else {
-            Self::Stepwise
-        }
-    }
+    pub(super) velocity: Point,
 }
 
 impl Story {
-    /// The story of some frames of a run.
-    ///
-    /// # Errors
-    ///
-    /// The precision leaves a decision open.
-    pub(in crate::cli) fn of<S: Arithmetic>(
-        scene: &Scene,
-        algorithm: Algorithm,
-        precision: S::Precision,
-        frames: Range<u64>,
-    ) -> Result<Self, Undecided> {
-        let undecided = <S::Doubt as Doubt>::into_undecided;
-        let simulation = Simulation::<S>::new(scene, algorithm, precision);
-        let mut simulation = simulation.map_err(undecided)?;
-        for _ in 0..frames.start {
-            simulation.next_frame().map_err(undecided)?;
-        }
-        let mut story = Self::begun(scene, &simulation.discs());
-        let course = Course::of(scene, algorithm);
-        for _ in frames.clone() {
-            let impacts = simulation.next_frame().map_err(undecided)?;
-            impacts.iter().for_each(|impact| story.add(impact));
-            story.close(&simulation.discs(), course);
-        }
-        let length = (frames.end - frames.start) as f64;
-        story.duration = scene.frame().duration.to_f64() * length;
-        Ok(story)
-    }
-
-    fn begun<S: Scalar>(scene: &Scene, discs: &[Disc<S>]) -> Self {
-        let walls = scene.walls().iter();
+    /// What happens in a scene's motion after a time, or from zero on, up to another.
+    pub(in crate::cli) fn of(scene: &Scene, motion: &Motion, [from, to]: [f64; 2]) -> Self {
+        let is_in = |time: f64| (time > from || from == 0.0) && time <= to;
+        let impacts = motion.impacts.iter().filter(|mark| is_in(mark.time));
+        let impacts: Vec<&[Struck]> = impacts.map(|mark| &mark.bodies[..]).collect();
+        let last = |disc: usize| {
+            let own = impacts.iter().copied().flatten();
+            let times = own.filter(|struck| struck.disc == disc);
+            times.map(|struck| struck.leg.time).reduce(f64::max)
+        };
+        let tracks = motion.discs.iter().enumerate();
         let point = |point: &[Number; 2]| point.each_ref().map(Number::to_f64);
+        let walls = scene.walls().iter();
         Self {
-            ways: discs.iter().map(Way::begun).collect(),
+            ways: tracks
+                .map(|(disc, track)| Way::of(track, [from, to], last(disc)))
+                .collect(),
             walls: walls
                 .map(|wall| [point(&wall.from), point(&wall.to)])
                 .collect(),
-            impacts: Vec::new(),
-            duration: 0.0,
-        }
-    }
-
-    /// Adds an impact, with the places of its discs.
-    fn add<S: Scalar>(&mut self, impact: &Impact<S>) {
-        let Some(contact) = &impact.contact else {
-            return;
-        };
-        let [centre, normal, velocity] =
-            [&contact.centre, &contact.normal, &contact.velocity].map(numbers);
-        let mut struck = Vec::new();
-        if let BodyId::Disc(disc) = impact.pair.a {
-            struck.push(self.strike(disc as usize, centre, velocity));
-        }
-        if let (BodyId::Disc(other), Some(velocity)) = (impact.pair.b, &contact.other_velocity) {
-            let other = other as usize;
-            let reach = self.ways[other].radius + struck.first().map_or(0.0, |first| first.radius);
-            let length = normal[0].hypot(normal[1]);
-            let place = [0, 1].map(|axis| centre[axis] + normal[axis] * reach / length);
-            struck.push(self.strike(other, place, numbers(velocity)));
-        }
-        self.impacts.push(struck);
-    }
-
-    fn strike(&mut self, disc: usize, centre: Vector, velocity: Vector) -> Struck {
-        let way = &mut self.ways[disc];
-        way.last = Some(way.points.len());
-        way.points.push(centre);
-        Struck {
-            centre,
-            radius: way.radius,
-            velocity,
-        }
-    }
-
-    /// Notes where discs are at the end of a frame.
-    fn close<S: Scalar>(&mut self, discs: &[Disc<S>], course: Course) {
-        for (way, body) in self.ways.iter_mut().zip(discs) {
-            way.close(numbers(&body.position), course);
+            impacts: impacts
+                .iter()
+                .map(|bodies| bodies.iter().map(|body| Hit::of(motion, body)).collect())
+                .collect(),
+            duration: to - from,
         }
     }
 
     /// Where discs collide and where they end, as a list to compare.
-    pub(in crate::cli) fn places(&self) -> Vec<Vector> {
+    pub(in crate::cli) fn places(&self) -> Vec<Point> {
         let struck = self.impacts.iter().flatten().map(|struck| struck.centre);
         let ends = self
             .ways
@@ -165,77 +79,91 @@ impl Story {
     }
 }
 
-impl Way {
-    /// Notes where it is at the end of a frame, in place of the end of a frame before, if
-    /// it has moved on in a straight line since.
-    fn close(&mut self, place: Vector, course: Course) {
-        let is_quiet = self.last <= self.end;
-        let goes_on = match course {
-            Course::Bent => false,
-            Course::Stepwise => is_quiet && self.quiet,
-            Course::Straight => is_quiet,
-        };
-        if goes_on && self.end.is_some() {
-            self.points.pop();
-        }
-        self.end = Some(self.points.len());
-        self.quiet = is_quiet;
-        self.points.push(place);
-    }
-
-    fn begun<S: Scalar>(disc: &Disc<S>) -> Self {
+impl Hit {
+    fn of(motion: &Motion, struck: &Struck) -> Self {
         Self {
-            radius: disc.radius.to_f64(),
-            velocity: numbers(&disc.velocity),
-            points: vec![numbers(&disc.position)],
-            last: None,
-            end: None,
-            quiet: true,
+            centre: struck.leg.position,
+            radius: motion.discs[struck.disc].radius,
+            velocity: struck.leg.velocity,
         }
     }
 }
 
-fn numbers<S: Scalar>(vector: &Vec2<S>) -> Vector {
-    [vector.x.to_f64(), vector.y.to_f64()]
+impl Way {
+    /// The way of a disc in a span of time in which it collides last at some time.
+    fn of(track: &Track, [from, to]: [f64; 2], last: Option<f64>) -> Self {
+        let turns = track.legs.iter().map(|leg| leg.time);
+        let turns = turns.filter(|time| *time > from && *time < to);
+        let mut times: Vec<f64> = turns.chain(last).chain([from, to]).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        if !track.pull.is_straight() {
+            times = refined(&times);
+        }
+        Self {
+            radius: track.radius,
+            velocity: track.velocity_at(from),
+            last: last.map(|last| times.partition_point(|time| *time < last)),
+            points: times.into_iter().map(|time| track.at(time)).collect(),
+        }
+    }
+}
+
+/// Times with others between them.
+fn refined(times: &[f64]) -> Vec<f64> {
+    let between = times.windows(2).flat_map(|pair| {
+        let part = |piece| f64::from(piece) / f64::from(PIECES);
+        (0..PIECES).map(move |piece| pair[0] + (pair[1] - pair[0]) * part(piece))
+    });
+    between.chain(times.last().copied()).collect()
 }
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow::Continue;
+
+    use carom::run::{Options, run};
+    use carom::simulation::Algorithm;
+
     use super::*;
 
-    fn story(name: &str, algorithm: Algorithm, frames: Range<u64>) -> Story {
+    fn story(name: &str, algorithm: Algorithm, span: [f64; 2]) -> Story {
         let path = format!("{}/scenes/{name}.json", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::read(path).expect("a scene");
-        Story::of::<f64>(&scene, algorithm, (), frames).expect("binary64 decides all")
+        let options = Options {
+            contacts: true,
+            ..Options::default()
+        };
+        let outcome = run::<f64>(&scene, algorithm, &options, &mut |_| Continue(()));
+        let motion = Motion::new(&scene, algorithm, &outcome.expect("a run"));
+        Story::of(&scene, &motion, span)
     }
 
     /// A disc that starts at 0 with speed 4 meets one at 4, both of radius 1: at 2, after
     /// half a frame. It goes back, or stays for the rest of the frame.
     #[test]
     fn figure_7_has_its_points() {
-        let single = story("figure-7", Algorithm::Single, 0..3);
-        assert_eq!(
-            single.ways[0].points,
-            [[0.0, 0.0], [2.0, 0.0], [2.0, 0.0], [-6.0, 0.0]]
-        );
-        let timeline = story("figure-7", Algorithm::Timeline, 0..3);
-        assert_eq!(
-            timeline.ways[0].points,
-            [[0.0, 0.0], [2.0, 0.0], [-8.0, 0.0]]
-        );
+        let single = story("figure-7", Algorithm::Single, [0.0, 3.0]);
+        let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 0.0], [-6.0, 0.0]];
+        assert_eq!(single.ways[0].points, points);
+        let timeline = story("figure-7", Algorithm::Timeline, [0.0, 3.0]);
+        let points = [[0.0, 0.0], [2.0, 0.0], [-8.0, 0.0]];
+        assert_eq!(timeline.ways[0].points, points);
         assert_eq!(timeline.ways[0].last, Some(1));
         assert_eq!(timeline.duration, 3.0);
         let [struck, fixed] = &timeline.impacts[0][..] else {
             panic!("two discs: {:?}", timeline.impacts);
         };
-        assert_eq!((struck.centre, struck.velocity), ([2.0, 0.0], [-4.0, 0.0]));
-        assert_eq!((fixed.centre, fixed.velocity), ([4.0, 0.0], [0.0, 0.0]));
+        let (centre, velocity) = (struck.centre, struck.velocity);
+        assert_eq!((centre, velocity), ([2.0, 0.0], [-4.0, 0.0]));
+        let (centre, velocity) = (fixed.centre, fixed.velocity);
+        assert_eq!((centre, velocity), ([4.0, 0.0], [0.0, 0.0]));
     }
 
     /// The second frame alone begins at 0, on the way back.
     #[test]
     fn a_frame_alone() {
-        let second = story("figure-7", Algorithm::Timeline, 1..2);
+        let second = story("figure-7", Algorithm::Timeline, [1.0, 2.0]);
         assert_eq!(second.ways[0].points, [[0.0, 0.0], [-4.0, 0.0]]);
         assert_eq!(second.ways[0].velocity, [-4.0, 0.0]);
         assert!(second.impacts.is_empty() && second.ways[0].last.is_none());

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use carom::body::End;
 use carom::first_impact::{Class, FirstImpact, of_disc_and_wall, of_discs};
 use carom::judge::Reference;
-use carom::log::{Bounds, Event, Header, Judgement, MIN_DIGITS, Recorder, Summary};
+use carom::log::{Bounds, Event, Header, Judgement, MIN_DIGITS, Recorder, Summary, proven_digits};
 use carom::run::{Options, run};
 use carom::scalar::Exact;
 use carom::scene::Scene;
@@ -162,8 +162,7 @@ fn judge(request: &Request<'_>) -> Result<Judgement, String> {
 fn options(request: &Request<'_>, digits: u32) -> Options {
     Options {
         until: request.until.clone(),
-        // As in `carom run`: one more makes bounds close enough.
-        digits: digits + 1,
+        digits: proven_digits(digits),
         ..Options::default()
     }
 }

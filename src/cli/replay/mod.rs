@@ -2,18 +2,17 @@
 //! second is the truth. It loads nothing; trajectories are drawn from the legs between
 //! impacts, in closed form.
 
-mod motion;
-
 use carom::arithmetic::Arithmetic;
 use carom::judge::{Logged, first_difference};
 use carom::run::{Outcome, Status};
 use carom::scalar::Number;
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
-use motion::{Motion, Point};
+use super::html;
+use super::motion::{Motion, Point};
 
 const STYLE: &str = include_str!("replay.css");
 const SCRIPT: &str = include_str!("replay.js");
@@ -69,29 +68,16 @@ impl Pane {
 /// The page of one run, or of a run and the truth.
 pub(super) fn page(scene: &Scene, panes: &[Pane]) -> String {
     let title = format!("{}: replay", scene.id());
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (title) }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                h1 { (title) }
-                div #panes {
-                    @for pane in panes {
-                        figure { figcaption { (pane.title) } canvas {} }
-                    }
-                }
-                (controls(panes.len() > 1))
-                script #data type="application/json" { (PreEscaped(data(scene, panes))) }
-                script { (PreEscaped(SCRIPT)) }
-            }
+    let body = html! {
+        h1 { (title) }
+        div #panes {
+            @for pane in panes { figure { figcaption { (pane.title) } canvas {} } }
         }
+        (controls(panes.len() > 1))
+        script #data type="application/json" { (PreEscaped(data(scene, panes))) }
+        script { (PreEscaped(SCRIPT)) }
     };
-    page.into_string()
+    html::page(&title, STYLE, &body)
 }
 
 fn controls(has_truth: bool) -> Markup {

@@ -3,7 +3,7 @@
 //! A logarithmic axis has no place for zero: values of zero stand in a strip of
 //! their own below it.
 
-use super::units::power_of_ten;
+use crate::cli::compare::units::power_of_ten;
 
 /// How values become places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,15 +8,15 @@ use maud::{Markup, PreEscaped, html};
 use plotters::style::RGBColor;
 
 use super::axis::{Axis, Scale, plain};
-use super::colour::{self, Marker, variable};
 use super::frontier::frontier;
 use super::growth::{Growth, Proof};
 use super::plot::{Figure, Series, Spot};
 use super::sweep::{Kind, Point, Sweep};
 use super::table;
-use super::units::{digits, duration, error};
 use crate::cli::choice::AlgorithmName;
+use crate::cli::compare::colour::{self, Marker, variable};
 use crate::cli::compare::row::Row;
+use crate::cli::compare::units::{digits, duration, error};
 
 fn time_axis() -> Axis {
     Axis::new("time a frame", Scale::Logarithmic, duration)

@@ -3,7 +3,6 @@
 //! Counts on it are those of the JSON report, from the same rows.
 
 mod axis;
-pub(crate) mod colour;
 mod figures;
 mod frontier;
 mod growth;
@@ -11,20 +10,20 @@ mod machine;
 pub(super) mod plot;
 mod sweep;
 mod table;
-pub(crate) mod units;
 
 use carom::arithmetic::Budget;
 use carom::frame::BroadPhase;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 
 use self::growth::Growth;
 use self::machine::Machine;
 use self::sweep::{Kind, Sweep};
-use self::units::duration;
 use super::row::Row;
 use super::truth::Truth;
-use super::{Comparison, table1};
+use super::units::duration;
+use super::{Comparison, colour, table1};
 use crate::cli::choice::AlgorithmName;
+use crate::cli::html;
 
 const STYLE: &str = include_str!("style.css");
 
@@ -71,20 +70,8 @@ pub(super) fn page(comparisons: &[Comparison], studies: &[Study], phase: BroadPh
         }
         (method(phase))
     };
-    let markup = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { "What accuracy costs · carom" }
-                style { (PreEscaped(colour::VARIABLES)) (PreEscaped(STYLE)) }
-            }
-            body { (body) }
-        }
-    };
-    markup.into_string()
+    let style = format!("{}{STYLE}", colour::VARIABLES);
+    html::page("What accuracy costs · carom", &style, &body)
 }
 
 /// The paper's Table 1, where its two scenes are compared.

@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::axis::{Axis, Laid};
-use super::colour::{GRID, INK, Marker, PALE, theme};
+use crate::cli::compare::colour::{GRID, INK, Marker, PALE, theme};
 
 /// The size of a figure: it is as legible on a phone, whose width it has.
 const SIZE: (u32, u32) = (460, 330);

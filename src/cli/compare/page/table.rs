@@ -3,8 +3,8 @@
 use carom::judge::Tally;
 use maud::{Markup, html};
 
-use super::units::{digits, duration, error};
 use crate::cli::compare::row::Row;
+use crate::cli::compare::units::{digits, duration, error};
 
 /// Every algorithm in every arithmetic.
 pub(super) fn candidates(rows: &[Row]) -> Markup {

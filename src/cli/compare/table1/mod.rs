@@ -80,7 +80,7 @@ pub(in crate::cli) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
 
 /// The paper's 33 %.
 fn third() -> Number {
-    "0.33".parse().unwrap_or_else(|_| Number::from(1))
+    "0.33".parse().expect("a decimal")
 }
 
 fn candidates() -> Vec<Candidate> {
@@ -106,7 +106,9 @@ fn candidates() -> Vec<Candidate> {
 fn text(comparisons: &[Comparison]) -> String {
     let mut text: String = comparisons.iter().map(table::render).collect();
     for (comparison, column) in comparisons.iter().zip(0..) {
-        let ratio = ratio(&comparison.rows).unwrap_or(f64::NAN);
+        let Some(ratio) = ratio(&comparison.rows) else {
+            continue;
+        };
         let [(_, single), (_, multiple)] = PAPER;
         let paper = multiple[column] / single[column];
         let (_, name) = SCENES[column];

@@ -5,9 +5,9 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::cli::compare::page::colour::{CARD, GRID, INK, PALE, VARIABLES, WRONG, theme};
-use crate::cli::compare::page::units::digits;
+use crate::cli::compare::colour::{CARD, GRID, INK, PALE, VARIABLES, WRONG, theme};
 use crate::cli::compare::row::Row;
+use crate::cli::compare::units::digits;
 
 /// One of the paper's two scenes.
 pub(super) struct Column<'a> {

@@ -1,10 +1,12 @@
 //! `carom run`: one scene, one algorithm, one arithmetic.
 
+mod pictures;
+
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use carom::arithmetic::Arithmetic;
-use carom::log::{MIN_DIGITS, Recorder, State, end_scene};
+use carom::log::{MIN_DIGITS, Recorder, State, end_scene, proven_digits};
 use carom::run::{Options, Outcome, Status, run};
 use carom::scalar::{Exact, Filtered, Number};
 use carom::scene::Scene;
@@ -12,13 +14,11 @@ use carom::simulation::Algorithm;
 use carom::support::{Unsupported, check_support};
 
 use super::choice::{self, AlgorithmArguments, ArithmeticName, BudgetArguments, Phase, Rule};
-use super::draw::{Panel, Story, picture};
 use super::error::{self, Error};
 use super::exit::Exit;
 use super::interrupt;
-use super::output::{Output, is_standard, standard};
+use super::output::{Output, check_distinct, is_standard, standard};
 use super::progress::RunBar;
-use super::replay::{self, Pane};
 use super::trace::Trace;
 
 /// Run a scene and log its impacts.
@@ -149,10 +149,8 @@ impl Arguments {
             until: self.until.clone(),
             max_events: self.max_events,
             budget: self.budget.budget(),
-            // Bounds that are a little apart may still straddle the last
-            // digit: one more makes them close enough.
-            digits: self.shown_digits() + 1,
-            contacts: self.contact || self.html.is_some(),
+            digits: proven_digits(self.shown_digits()),
+            contacts: self.contact || self.has_pictures(),
             simultaneous: self
                 .simultaneous
                 .map(Rule::simultaneous)
@@ -197,30 +195,15 @@ impl Arguments {
         }
     }
 
-    /// A file holds one result, and so does standard output.
     fn check_outputs(&self) -> Result<(), Error> {
-        let outputs = [
+        check_distinct(&[
             ("--events", &self.events),
             ("--state", &self.state),
             ("--final-scene", &self.final_scene),
             ("--svg", &self.svg),
             ("--html", &self.html),
             ("--trace", &self.trace),
-        ];
-        let mut taken: Vec<(&str, &Path)> = Vec::new();
-        for (name, path) in outputs {
-            let Some(path) = path.as_deref() else {
-                continue;
-            };
-            if let Some((other, _)) = taken.iter().find(|(_, other)| *other == path) {
-                return Err(Error::Usage(format!(
-                    "{}: expected only one of {other} and {name}",
-                    path.display()
-                )));
-            }
-            taken.push((name, path));
-        }
-        Ok(())
+        ])
     }
 
     /// Opens all files before the run, for it may take long.
@@ -274,75 +257,12 @@ impl Arguments {
         Ok(())
     }
 
-    /// Pictures show no copies of discs, and no frames that differ each time.
-    fn check_pictures(&self, scene: &Scene) -> Result<(), Error> {
-        if self.svg.is_none() && self.html.is_none() {
-            return Ok(());
-        }
-        let expected = match scene.periodic() {
-            Some(_) => "a scene that is not periodic",
-            None if self.algorithm.has_frame_budget() => "--passes instead of --frame-budget",
-            None => return Ok(()),
-        };
-        Err(Error::Usage(format!("--svg, --html: expected {expected}")))
-    }
-
-    /// The replay of the run, beside the truth.
-    fn replay<S: Arithmetic>(
-        &self,
-        scene: &Scene,
-        algorithm: Algorithm,
-        options: &Options,
-        outcome: &Outcome<S>,
-    ) -> Result<String, Error> {
-        let mut panes = vec![Pane::new(scene, algorithm, outcome)];
-        if algorithm != Algorithm::Timeline || S::NAME != Exact::NAME {
-            let truth = watched::<Exact>(scene, Algorithm::Timeline, options);
-            let truth = truth.map_err(|reason| self.unsupported(reason))?;
-            panes.push(Pane::new(scene, Algorithm::Timeline, &truth));
-        }
-        Ok(replay::page(scene, &panes))
-    }
-
     fn unsupported(&self, reason: Unsupported) -> Error {
         Error::Unsupported {
             file: self.scene.display().to_string(),
             reason,
         }
     }
-
-    /// The picture of the run, or of one of its frames.
-    fn picture<S: Arithmetic>(
-        &self,
-        scene: &Scene,
-        algorithm: Algorithm,
-        outcome: &Outcome<S>,
-    ) -> Result<String, Error> {
-        let run = frames_before(scene, outcome);
-        let frames = match self.svg_frame {
-            None => 0..run,
-            Some(frame) if frame < run => frame..frame + 1,
-            Some(frame) => {
-                let problem = format!("--svg-frame {frame}: expected less than {run}");
-                return Err(Error::Usage(problem));
-            }
-        };
-        let story = Story::of::<S>(scene, algorithm, outcome.precision, frames);
-        let story = story.map_err(|open| Error::Usage(format!("--svg: {open}")))?;
-        let title = format!("{}: {algorithm}, {}", scene.id(), S::NAME);
-        let swept = false;
-        Ok(picture(&[Panel {
-            title,
-            story,
-            swept,
-        }]))
-    }
-}
-
-/// The frames of a run that begin before its end.
-fn frames_before<S: Arithmetic>(scene: &Scene, outcome: &Outcome<S>) -> u64 {
-    let frames = outcome.time.to_f64() / scene.frame().duration.to_f64();
-    (frames.ceil() as u64).clamp(1, scene.frame().count)
 }
 
 /// A run that shows its progress and heeds Ctrl-C.

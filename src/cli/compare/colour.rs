@@ -10,22 +10,19 @@ use plotters::style::RGBColor;
 use crate::cli::choice::ArithmeticName;
 
 /// Text and axes.
-pub(crate) const INK: RGBColor = RGBColor(1, 0, 0);
+pub(super) const INK: RGBColor = RGBColor(1, 0, 0);
 
 /// What all is drawn on.
-pub(crate) const CARD: RGBColor = RGBColor(1, 0, 4);
+pub(super) const CARD: RGBColor = RGBColor(1, 0, 4);
 
 /// What explains.
-pub(crate) const PALE: RGBColor = RGBColor(1, 0, 1);
+pub(super) const PALE: RGBColor = RGBColor(1, 0, 1);
 
 /// Lines to read values by.
-pub(crate) const GRID: RGBColor = RGBColor(1, 0, 2);
-
-/// What the paper reports.
-pub(crate) const PAPER: RGBColor = RGBColor(1, 0, 3);
+pub(super) const GRID: RGBColor = RGBColor(1, 0, 2);
 
 /// Missed, spurious and misordered impacts.
-pub(crate) const WRONG: [RGBColor; 3] =
+pub(super) const WRONG: [RGBColor; 3] =
     [RGBColor(1, 0, 10), RGBColor(1, 0, 11), RGBColor(1, 0, 12)];
 
 const RETROACTIVE: RGBColor = RGBColor(1, 0, 20);
@@ -35,12 +32,11 @@ const SYNCHRONISED: RGBColor = RGBColor(1, 0, 23);
 const TIMELINE: RGBColor = RGBColor(1, 0, 24);
 
 /// A colour that stands for a name, and what the name is.
-const NAMES: [(RGBColor, &str); 13] = [
+const NAMES: [(RGBColor, &str); 12] = [
     (INK, "ink"),
     (CARD, "card"),
     (PALE, "pale"),
     (GRID, "grid"),
-    (PAPER, "paper"),
     (WRONG[0], "missed"),
     (WRONG[1], "spurious"),
     (WRONG[2], "misordered"),
@@ -52,10 +48,10 @@ const NAMES: [(RGBColor, &str); 13] = [
 ];
 
 /// What the names are in the light and in the dark.
-pub(crate) const VARIABLES: &str = include_str!("colours.css");
+pub(super) const VARIABLES: &str = include_str!("colours.css");
 
 /// The colour of an algorithm.
-pub(crate) fn of_algorithm(algorithm: Algorithm) -> RGBColor {
+pub(super) fn of_algorithm(algorithm: Algorithm) -> RGBColor {
     match algorithm {
         Algorithm::Retroactive { .. } => RETROACTIVE,
         Algorithm::Single => SINGLE,
@@ -66,7 +62,7 @@ pub(crate) fn of_algorithm(algorithm: Algorithm) -> RGBColor {
 }
 
 /// A colour as CSS has it.
-pub(crate) fn variable(colour: RGBColor) -> String {
+pub(super) fn variable(colour: RGBColor) -> String {
     let name = NAMES.iter().find(|(known, _)| *known == colour);
     let name = name.map_or("ink", |(_, name)| name);
     format!("var(--{name})")
@@ -74,14 +70,14 @@ pub(crate) fn variable(colour: RGBColor) -> String {
 
 /// A shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Marker {
+pub(super) enum Marker {
     Circle,
     Triangle,
     Square,
 }
 
 /// The shape of an arithmetic.
-pub(crate) fn of_arithmetic(arithmetic: ArithmeticName) -> Marker {
+pub(super) fn of_arithmetic(arithmetic: ArithmeticName) -> Marker {
     match arithmetic {
         ArithmeticName::Binary64 => Marker::Circle,
         ArithmeticName::Filtered => Marker::Triangle,
@@ -90,7 +86,7 @@ pub(crate) fn of_arithmetic(arithmetic: ArithmeticName) -> Marker {
 }
 
 /// A figure with its colours by name.
-pub(crate) fn theme(mut svg: String) -> String {
+pub(super) fn theme(mut svg: String) -> String {
     for (colour, _) in NAMES {
         let RGBColor(red, green, blue) = colour;
         let code = format!("\"#{red:02X}{green:02X}{blue:02X}\"");

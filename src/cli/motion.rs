@@ -214,7 +214,57 @@ impl Leg {
     }
 }
 
+impl Pull {
+    /// Where a leg leads: p + v t + g t²/2, and under drag k, with the final velocity
+    /// u = g / k, p + u t + (v - u) (1 - exp(-k t)) / k.
+    fn after(self, leg: &Leg, time: f64) -> Point {
+        [0, 1].map(|axis| {
+            let (from, speed, pull) = (leg.position[axis], leg.velocity[axis], self.gravity[axis]);
+            if self.drag == 0.0 {
+                return from + speed * time + pull * time * time / 2.0;
+            }
+            let last = pull / self.drag;
+            from + last * time - (speed - last) * (-self.drag * time).exp_m1() / self.drag
+        })
+    }
+
+    /// The velocity then: v + g t, and under drag u + (v - u) exp(-k t).
+    fn velocity_after(self, leg: &Leg, time: f64) -> Point {
+        [0, 1].map(|axis| {
+            let (speed, pull) = (leg.velocity[axis], self.gravity[axis]);
+            if self.drag == 0.0 {
+                return speed + pull * time;
+            }
+            let last = pull / self.drag;
+            last + (speed - last) * (-self.drag * time).exp()
+        })
+    }
+
+    /// Whether legs are straight.
+    pub(super) fn is_straight(self) -> bool {
+        self.gravity == [0.0; 2]
+    }
+}
+
 impl Track {
+    /// Where the disc is at a time.
+    pub(super) fn at(&self, time: f64) -> Point {
+        let leg = self.leg_at(time);
+        self.pull.after(leg, time - leg.time)
+    }
+
+    /// How fast it moves then; after what happens at that time.
+    pub(super) fn velocity_at(&self, time: f64) -> Point {
+        let leg = self.leg_at(time);
+        self.pull.velocity_after(leg, time - leg.time)
+    }
+
+    /// The leg that has begun last: there is one from the start on.
+    fn leg_at(&self, time: f64) -> &Leg {
+        let next = self.legs.partition_point(|leg| leg.time <= time);
+        &self.legs[next.saturating_sub(1)]
+    }
+
     /// Puts the legs in the order of their times, and makes each of them the straight way to the next one's start.
     fn straighten(&mut self) {
         self.legs

@@ -1,7 +1,7 @@
 //! Numbers as people write them.
 
 /// Seconds, in the unit that suits them, with three digits.
-pub(crate) fn duration(seconds: f64) -> String {
+pub(super) fn duration(seconds: f64) -> String {
     let units = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs")];
     let unit = units.into_iter().find(|(size, _)| seconds >= size * 0.9999);
     let (size, name) = unit.unwrap_or((1e-9, "ns"));
@@ -9,7 +9,7 @@ pub(crate) fn duration(seconds: f64) -> String {
 }
 
 /// A number of moderate size with so many digits, and no zeros at its end.
-pub(crate) fn digits(value: f64, count: i32) -> String {
+pub(super) fn digits(value: f64, count: i32) -> String {
     if value == 0.0 {
         return String::from("0");
     }
@@ -23,7 +23,7 @@ pub(crate) fn digits(value: f64, count: i32) -> String {
 }
 
 /// An error: moderate ones as they are, small ones with a power of ten.
-pub(crate) fn error(size: f64) -> String {
+pub(super) fn error(size: f64) -> String {
     if size == 0.0 || !size.is_finite() || (1e-3..1e5).contains(&size) {
         return match size.is_infinite() {
             true => String::from("∞"),
@@ -36,7 +36,7 @@ pub(crate) fn error(size: f64) -> String {
 }
 
 /// A power of ten.
-pub(crate) fn power_of_ten(exponent: i32) -> String {
+pub(super) fn power_of_ten(exponent: i32) -> String {
     let raised = exponent.to_string();
     let raised = raised.chars().map(|digit| match digit.to_digit(10) {
         Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
