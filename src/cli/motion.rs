@@ -72,10 +72,21 @@ pub(super) struct Mark {
 }
 
 /// A disc at an impact, on its own clock.
-#[derive(Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[serde(into = "Place")]
 pub(super) struct Struck {
     pub(super) disc: usize,
     pub(super) leg: Leg,
+}
+
+/// A disc, and where it is.
+pub(super) type Place = (usize, f64, f64);
+
+impl From<Struck> for Place {
+    fn from(struck: Struck) -> Self {
+        let [x, y] = struck.leg.position;
+        (struck.disc, x, y)
+    }
 }
 
 impl Motion {

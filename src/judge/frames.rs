@@ -2,8 +2,9 @@
 
 use std::time::{Duration, Instant};
 
+use super::matching::{Fault, FrameComparison, compare_frame};
 use super::overlaps::{Overlaps, overlaps};
-use super::tally::{Logged, Tally, compare_frame};
+use super::tally::{Logged, Tally};
 use super::truth::{Truth, true_frame};
 use crate::arithmetic::{Arithmetic, Budget, Shortfall};
 use crate::body::Disc;
@@ -32,6 +33,8 @@ pub struct Judged {
     pub cost: Duration,
     /// The candidate's log.
     pub log: Vec<Logged>,
+    /// What is wrong in it, frame by frame.
+    pub faults: Vec<(Fault, Logged)>,
     /// Why the candidate itself could not be run to its end.
     pub failure: Option<Undecided>,
     /// Whether it ended in infinitely many impacts instead. That frame is not
@@ -143,6 +146,7 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
             undecided: 0,
             cost: Duration::ZERO,
             log: Vec::new(),
+            faults: Vec::new(),
             failure: None,
             accumulates: false,
             split: None,
@@ -185,6 +189,8 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         };
         match self.decide(|bits| self.truth(start, bits))?.flatten() {
             Some(truth) => {
+                let compared = FrameComparison::new(&truth.impacts, &found.impacts);
+                self.judged.faults.extend(compared.faults());
                 self.judged.tally += found.tally(&truth);
                 self.split(start, &truth, &found)?;
             }

@@ -11,6 +11,7 @@
 
 mod difference;
 mod frames;
+mod matching;
 mod overlaps;
 mod tally;
 mod truth;
@@ -18,6 +19,7 @@ mod verdict;
 
 pub use difference::{Difference, first_difference};
 pub use frames::{Judged, Split, judge, judge_and_split};
-pub use tally::{Logged, Tally, compare_frame};
+pub use matching::{Fault, FrameComparison, compare_frame};
+pub use tally::{Logged, Tally};
 pub use truth::{Truth, true_frame};
 pub use verdict::{Decision, Margin, Reference, Standing, Verdict};

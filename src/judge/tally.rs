@@ -1,11 +1,5 @@
-//! Matched, missed, spurious and misordered impacts of one frame.
-//!
-//! Impacts match as the k-th impact of their pair within the frame. Order
-//! matters only between impacts that share a disc; a matched impact is
-//! misordered if, for one of its discs, it stands before a matched one that
-//! the truth puts ahead of it.
+//! What is counted of impacts that are held against the truth.
 
-use std::collections::HashMap;
 use std::ops::AddAssign;
 
 use crate::body::{BodyId, Pair};
@@ -94,64 +88,7 @@ impl AddAssign for Tally {
     }
 }
 
-/// Judges the impacts of a frame against the true ones.
-pub fn compare_frame(truth: &[Logged], candidate: &[Logged]) -> Tally {
-    let matches = match_up(truth, candidate);
-    let mut tally = Tally {
-        matched: matches.len() as u64,
-        missed: (truth.len() - matches.len()) as u64,
-        spurious: (candidate.len() - matches.len()) as u64,
-        misordered: count_misordered(truth, candidate, &matches),
-        ..Tally::default()
-    };
-    for &(t, c) in &matches {
-        let error = (candidate[c].time - truth[t].time).abs();
-        tally.time_error = tally.time_error.max(error);
-        tally.time_error_ulps = tally.time_error_ulps.max(error / ulp(truth[t].time));
-    }
-    tally
-}
-
 /// The distance of a binary64 to the next.
 pub(super) fn ulp(x: f64) -> f64 {
     x.abs().next_up() - x.abs()
-}
-
-/// The k-th impact of each pair in one with that in the other, by the
-/// candidate's order.
-pub(super) fn match_up(truth: &[Logged], candidate: &[Logged]) -> Vec<(usize, usize)> {
-    let mut places: HashMap<Pair, Vec<usize>> = HashMap::new();
-    for (index, impact) in truth.iter().enumerate().rev() {
-        places.entry(impact.pair).or_default().push(index);
-    }
-    let matches = candidate.iter().enumerate();
-    matches
-        .filter_map(|(c, impact)| Some((places.get_mut(&impact.pair)?.pop()?, c)))
-        .collect()
-}
-
-/// Counts the matches that come before one which the truth puts ahead.
-fn count_misordered(truth: &[Logged], candidate: &[Logged], matches: &[(usize, usize)]) -> u64 {
-    let mut earliest: HashMap<BodyId, usize> = HashMap::new();
-    let mut misordered = 0;
-    for &(t, c) in matches.iter().rev() {
-        let Pair { a, b } = candidate[c].pair;
-        let discs = [a, b]
-            .into_iter()
-            .filter(|body| matches!(body, BodyId::Disc(_)));
-        let mut too_early = false;
-        for disc in discs {
-            let ahead = earliest.entry(disc).or_insert(t);
-            too_early |= *ahead < t && !simultaneous(&truth[*ahead], &truth[t]);
-            *ahead = t.min(*ahead);
-        }
-        misordered += u64::from(too_early);
-    }
-    misordered
-}
-
-/// Whether two impacts are proven to happen at the same time, so that their
-/// order is a convention.
-fn simultaneous(one: &Logged, other: &Logged) -> bool {
-    one.tie.is_some() && one.tie == other.tie
 }

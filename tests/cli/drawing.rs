@@ -139,6 +139,20 @@ fn a_replay_stands_beside_the_truth() {
 fn a_replay_has_the_first_difference() {
     let data = replay(&[&scene("figure-7.json"), "--algorithm", "retroactive"]);
     assert_eq!(data["difference"]["time"], 0.5);
+    // In truth the disc turns half way through the frame, 2 from where it starts: there is
+    // the mark.
+    let faults = data["panes"][0]["faults"].as_array().expect("faults");
+    let starts = &data["panes"][0]["motion"]["discs"][0]["legs"][0];
+    let [fault] = &faults[..] else {
+        panic!("{faults:?}");
+    };
+    assert_eq!(
+        (&fault["kind"], &fault["time"]),
+        (&"missed".into(), &0.5.into())
+    );
+    let x = |value: &Value| value.as_f64().expect("a number");
+    assert_eq!(x(&fault["places"][0][1]), x(&starts[1]) + 2.0);
+    assert_eq!(data["panes"][1]["faults"], serde_json::json!([]));
     let alone = replay(&[&scene("figure-7.json"), "--arithmetic", "exact"]);
     assert_eq!(alone["panes"].as_array().map(Vec::len), Some(1));
 }

@@ -1,10 +1,12 @@
 //! What is compared: algorithms, each in several arithmetics.
 
 use std::fmt;
+use std::ops::ControlFlow;
 
 use carom::arithmetic::{Arithmetic, Budget};
 use carom::frame::{BroadPhase, Passes};
 use carom::judge::{Judged, judge, judge_and_split};
+use carom::run::{Options, run};
 use carom::scalar::{Exact, Filtered};
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
@@ -12,6 +14,7 @@ use carom::support::{Unsupported, check_support};
 
 use super::cost::{Run, Runner};
 use crate::cli::choice::{AlgorithmName, ArithmeticName};
+use crate::cli::replay::Pane;
 
 /// An algorithm in an arithmetic.
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +64,38 @@ impl Selection<'_> {
 }
 
 impl Candidate {
+    /// What truly happens.
+    pub(super) const TRUTH: Self = Self {
+        algorithm: Algorithm::Timeline,
+        arithmetic: ArithmeticName::Exact,
+        broad_phase: BroadPhase::Grid,
+    };
+
+    /// Its run, to be played; none where a replay cannot show the scene.
+    pub(super) fn pane(&self, scene: &Scene, budget: &Budget) -> Option<Pane> {
+        match self.arithmetic {
+            ArithmeticName::Binary64 => self.pane_in::<f64>(scene, budget),
+            ArithmeticName::Filtered => self.pane_in::<Filtered>(scene, budget),
+            ArithmeticName::Exact => self.pane_in::<Exact>(scene, budget),
+        }
+    }
+
+    fn pane_in<S: Arithmetic>(&self, scene: &Scene, budget: &Budget) -> Option<Pane> {
+        if scene.periodic().is_some() {
+            return None;
+        }
+        let options = Options {
+            budget: *budget,
+            max_events: u64::MAX,
+            contacts: true,
+            frame_broad_phase: self.broad_phase,
+            ..Options::default()
+        };
+        let go_on = &mut |_| ControlFlow::Continue(());
+        let outcome = run::<S>(scene, self.algorithm, &options, go_on).ok()?;
+        Some(Pane::new(scene, self.algorithm, &outcome))
+    }
+
     pub(super) fn check(&self, scene: &Scene) -> Result<(), Unsupported> {
         match self.arithmetic {
             ArithmeticName::Binary64 => check_support::<f64>(scene, self.algorithm),

@@ -47,9 +47,6 @@ const NAMES: [(RGBColor, &str); 12] = [
     (TIMELINE, "timeline"),
 ];
 
-/// What the names are in the light and in the dark.
-pub(super) const VARIABLES: &str = include_str!("colours.css");
-
 /// The colour of an algorithm.
 pub(super) fn of_algorithm(algorithm: Algorithm) -> RGBColor {
     match algorithm {

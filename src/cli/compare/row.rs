@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use carom::judge::{Difference, Judged, Logged, Split, Tally, first_difference};
+use carom::judge::{Difference, Fault, Judged, Logged, Split, Tally, first_difference};
 use carom::scene::Scene;
 
 use super::Verdict;
@@ -19,6 +19,8 @@ pub(super) struct Row {
     pub(super) tally: Tally,
     /// Which part of the errors is the algorithm's, where that was asked.
     pub(super) split: Option<Split>,
+    /// What is wrong in it, frame by frame.
+    pub(super) faults: Vec<(Fault, Logged)>,
     /// The frames judged.
     pub(super) frames: u64,
     /// The frames of which the truth could not be decided.
@@ -44,6 +46,7 @@ impl Row {
             impacts: judged.log.len(),
             difference: difference(truth, &judged, scene),
             failure: failure(&judged),
+            faults: judged.faults,
         }
     }
 

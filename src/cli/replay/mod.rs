@@ -1,9 +1,10 @@
-//! A run as a page of its own, to be played: one pane, or two in step of which the
-//! second is the truth. It loads nothing; trajectories are drawn from the legs between
-//! impacts, in closed form.
+//! A run to be played: one pane, or two in step of which the second is the truth. It
+//! loads nothing; trajectories are drawn from the legs between impacts, in closed form.
+
+mod fault;
 
 use carom::arithmetic::Arithmetic;
-use carom::judge::{Logged, first_difference};
+use carom::judge::{Fault, Logged, first_difference};
 use carom::run::{Outcome, Status};
 use carom::scalar::Number;
 use carom::scene::Scene;
@@ -13,15 +14,29 @@ use serde::Serialize;
 
 use super::html;
 use super::motion::{Motion, Point};
+use fault::Misplaced;
 
-const STYLE: &str = include_str!("replay.css");
-const SCRIPT: &str = include_str!("replay.js");
+/// How a replay looks.
+pub(super) const STYLE: &str = include_str!("replay.css");
+
+/// What plays all replays of a page; at its end.
+const SCRIPT: &str = concat!(
+    include_str!("motion.js"),
+    include_str!("canvas.js"),
+    include_str!("replay.js")
+);
 
 /// A run in a replay.
 #[derive(Debug, Serialize)]
 pub(super) struct Pane {
     title: String,
     motion: Motion,
+    /// What is wrong with it, in the order of time.
+    faults: Vec<Misplaced>,
+    /// The frames that were judged, and those of which the truth is not known; none if
+    /// nothing was judged.
+    #[serde(skip)]
+    judged: Option<[u64; 2]>,
     #[serde(skip)]
     log: Vec<Logged>,
     /// The time up to which the run is known.
@@ -30,8 +45,10 @@ pub(super) struct Pane {
 }
 
 #[derive(Serialize)]
-struct Replay<'a> {
+struct Data<'a> {
     scene: &'a str,
+    /// The duration of a frame.
+    frame: f64,
     walls: Vec<[Point; 2]>,
     panes: &'a [Pane],
     difference: Option<Parting>,
@@ -60,7 +77,19 @@ impl Pane {
             title: format!("{}, {algorithm}, {}{limit}", scene.id(), S::NAME),
             log: outcome.impacts.iter().map(Logged::from).collect(),
             motion,
+            faults: Vec::new(),
+            judged: None,
             reached,
+        }
+    }
+
+    /// The same with marks at what is wrong in it; and how many frames were judged, and of
+    /// how many of them the truth is not known.
+    pub(super) fn with_faults(self, faults: &[(Fault, Logged)], judged: [u64; 2]) -> Self {
+        Self {
+            faults: fault::placed(&self.motion, faults),
+            judged: Some(judged),
+            ..self
         }
     }
 }
@@ -70,52 +99,113 @@ pub(super) fn page(scene: &Scene, panes: &[Pane]) -> String {
     let title = format!("{}: replay", scene.id());
     let body = html! {
         h1 { (title) }
-        div #panes {
-            @for pane in panes { figure { figcaption { (pane.title) } canvas {} } }
-        }
-        (controls(panes.len() > 1))
-        script #data type="application/json" { (PreEscaped(data(scene, panes))) }
-        script { (PreEscaped(SCRIPT)) }
+        (part(scene, panes))
+        (script())
     };
-    html::page(&title, STYLE, &body)
+    let style = format!("{}{STYLE}", include_str!("page.css"));
+    html::page(&title, &style, &body)
+}
+
+/// A replay as a part of a page that has the style and, after it, the script.
+pub(super) fn part(scene: &Scene, panes: &[Pane]) -> Markup {
+    let difference = match panes {
+        [run, truth] => parting(run, truth),
+        _ => None,
+    };
+    let has_truth = panes.len() > 1;
+    html! {
+        div.replay tabindex="0" {
+            div.panes { @for pane in panes { figure { figcaption { (pane.title) } canvas {} } } }
+            canvas.axis aria-hidden="true" {}
+            input.time type="range" min="0" max="1" step="any" value="0" aria-label="Time";
+            (controls(has_truth))
+            @if has_truth { (told(difference.as_ref())) (legend(&panes[0])) }
+            (keys(has_truth))
+            script.data type="application/json" { (PreEscaped(data(scene, panes, difference))) }
+        }
+    }
+}
+
+/// What plays the replays before it.
+pub(super) fn script() -> Markup {
+    html! { script { (PreEscaped(SCRIPT)) } }
 }
 
 fn controls(has_truth: bool) -> Markup {
     html! {
-        canvas #axis aria-hidden="true" {}
-        input #time type="range" min="0" max="1" step="any" value="0" aria-label="Time";
-        div #controls {
-            button #play { "Play" }
-            button #previous { "Previous impact" }
-            button #next { "Next impact" }
-            @if has_truth { button #difference { "First difference" } }
-            label { "Speed " input #speed type="range" min="-3" max="3" step="0.5" value="0"; }
-            output #clock {}
+        div.controls {
+            button.play { "Play" }
+            button.previous { "Previous impact" }
+            button.next { "Next impact" }
+            @if has_truth {
+                button.wrong { "Next wrong impact" }
+                button.difference { "First difference" }
+            }
+            label { "Speed "
+                input.speed type="range" min="-3" max="3" step="0.5" value="0"; }
+            output.clock {}
         }
-        p #parting {}
-        p.keys {
+    }
+}
+
+fn told(difference: Option<&Parting>) -> Markup {
+    html! {
+        p.parting {
+            @match difference {
+                Some(found) => { "The run " (found.text) "." }
+                None => { "Both have the same impacts of each disc in the same order." }
+            }
+        }
+    }
+}
+
+/// What the marks mean, and how many there are of each.
+fn legend(run: &Pane) -> Markup {
+    let Some([frames, undecided]) = run.judged else {
+        return html! {};
+    };
+    let item = |kind: Fault, meaning: &str| {
+        let count = run.faults.iter().filter(|fault| fault.kind == kind).count();
+        html! { li class=(kind.name()) { b { (count) " " (kind.name()) } ": " (meaning) } }
+    };
+    html! {
+        ul.faults {
+            (item(Fault::Missed, "a dashed ring; in the truth only"))
+            (item(Fault::Spurious, "a ring with a cross; in the run only"))
+            (item(Fault::Misordered, "two rings; in another order that matters"))
+        }
+        p.pale { "Each of " (frames) " frames is judged from the run's own state at its start,
+            so that one error does not condemn what follows; the panes are whole runs from one
+            start."
+            @if undecided > 0 { " Of " (undecided) " frames the truth is not known." }
+        }
+    }
+}
+
+fn keys(has_truth: bool) -> Markup {
+    html! {
+        p.pale {
             kbd { "space" } " play, " kbd { "←" } " " kbd { "→" } " move, "
             kbd { "p" } " " kbd { "n" } " previous and next impact"
-            @if has_truth { ", " kbd { "d" } " first difference" }
+            @if has_truth {
+                ", " kbd { "w" } " next wrong impact, " kbd { "d" } " first difference"
+            }
         }
     }
 }
 
 /// The data, such that no text in it ends the script.
-fn data(scene: &Scene, panes: &[Pane]) -> String {
+fn data(scene: &Scene, panes: &[Pane], difference: Option<Parting>) -> String {
     let number = |point: &[Number; 2]| point.each_ref().map(Number::to_f64);
     let walls = scene.walls().iter();
-    let difference = match panes {
-        [run, truth] => parting(run, truth),
-        _ => None,
-    };
-    let replay = Replay {
+    let data = Data {
         scene: scene.id(),
+        frame: scene.frame().duration.to_f64(),
         walls: walls.map(|w| [number(&w.from), number(&w.to)]).collect(),
         panes,
         difference,
     };
-    let json = serde_json::to_string(&replay).expect("all keys are strings");
+    let json = serde_json::to_string(&data).expect("all keys are strings");
     json.replace("</", "<\\/").replace("<!--", "<\\u0021--")
 }
 

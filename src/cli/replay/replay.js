@@ -1,191 +1,156 @@
-"use strict";
-// window.replay: { time, until, seek(time), positions(pane) }.
-const data = JSON.parse(document.getElementById("data").textContent);
-const element = (id) => document.getElementById(id);
-const canvases = [...document.querySelectorAll("figure canvas")];
-const motions = data.panes.map((pane) => pane.motion);
-// Legs come as numbers, for there may be many.
-const leg = ([time, x, y, vx, vy]) => ({ time, position: [x, y], velocity: [vx, vy] });
-for (const motion of motions) {
-  for (const track of motion.discs) track.legs = track.legs.map(leg);
-  for (const mark of motion.impacts) for (const body of mark.bodies) body.leg = leg(body.leg);
-}
-const until = Math.max(...motions.map((motion) => motion.until));
-const times = [...new Set(motions.flatMap((motion) => motion.impacts.map((mark) => mark.time)))]
-  .sort((one, other) => one - other);
 const colours = ["#4a9bd4", "#d0568a", "#4caf5c", "#9a74d8", "#b5786c", "#1fa8a8"];
-let playing = false;
-let stamp = 0;
+const kinds = Object.keys(looks);
 
-// The last leg that has begun: its index in an order of times.
-function search(items, time) {
-  let [low, high] = [0, items.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (items[middle].time <= time) low = middle + 1;
-    else high = middle;
+// Times in order; of those that only rounding tells apart, the last.
+function moments(times, until) {
+  const sorted = [...times].sort((one, other) => one - other);
+  return sorted.filter((time, index) => !(sorted[index + 1] - time <= 1e-12 * until));
+}
+
+const keys = { " ": "play", n: "next", p: "previous", w: "wrong", d: "difference" };
+
+// A run, or a run and the truth, in an element of the page: `time`, `until`,
+// `seek(time)`, `positions(pane)`.
+class Replay {
+  constructor(root) {
+    this.find = (name) => root.querySelector("." + name);
+    const data = JSON.parse(this.find("data").textContent);
+    const motions = data.panes.map((pane) => readMotion(pane.motion));
+    Object.assign(this, { root, data, motions, time: 0, playing: false, stamp: 0 });
+    this.canvases = [...root.querySelectorAll("figure canvas")];
+    this.until = Math.max(...motions.map((motion) => motion.until));
+    this.view = bounds(motions);
+    const times = motions.flatMap((motion) => motion.impacts.map((mark) => mark.time));
+    this.times = moments(times, this.until);
+    this.listen();
+    this.seek(0);
   }
-  return Math.max(low - 1, 0);
-}
 
-// p + v t + g t²/2, and under drag k: p + u t + (v - u) (1 - exp(-k t)) / k, u = g / k.
-function position(track, time) {
-  const leg = track.legs[search(track.legs, time)];
-  const t = time - leg.time;
-  const { gravity, drag } = track.pull;
-  return [0, 1].map((axis) => {
-    const [p, v, g] = [leg.position[axis], leg.velocity[axis], gravity[axis]];
-    if (drag === 0) return p + v * t + (g * t * t) / 2;
-    return p + (g / drag) * t - ((v - g / drag) * Math.expm1(-drag * t)) / drag;
-  });
-}
+  positions(pane = 0) {
+    const motion = this.motions[pane];
+    return motion.discs.map((track) => position(track, Math.min(this.time, motion.until)));
+  }
 
-const replay = {
-  time: 0,
-  until,
-  positions: (pane = 0) =>
-    motions[pane].discs.map((track) => position(track, Math.min(replay.time, motions[pane].until))),
   seek(time) {
-    replay.time = Math.min(Math.max(time, 0), until);
-    element("time").value = replay.time;
-    element("clock").textContent = "t = " + Number(replay.time.toPrecision(8));
-    draw();
-  },
-};
-window.replay = replay;
-
-// Where a disc is at the start of its legs, at the end, and on curves in between.
-function places(motion, track) {
-  const ends = track.legs.map((leg) => leg.time).concat(motion.until);
-  const parts = track.pull.gravity.some((part) => part !== 0) ? 8 : 1;
-  const between = ends.slice(1).flatMap((end, leg) =>
-    Array.from({ length: parts }, (_, part) => ends[leg] + ((end - ends[leg]) * (part + 1)) / parts));
-  return [track.legs[0].position, ...between.map((time) => position(track, time))];
-}
-
-// One view for all panes.
-const view = (() => {
-  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (const motion of motions)
-    for (const track of motion.discs)
-      for (const [x, y] of places(motion, track)) {
-        left = Math.min(left, x - track.radius);
-        right = Math.max(right, x + track.radius);
-        low = Math.min(low, y - track.radius);
-        high = Math.max(high, y + track.radius);
-      }
-  return { left, right, low, high };
-})();
-
-function prepare(canvas) {
-  const ratio = window.devicePixelRatio || 1;
-  const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-  if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
-  if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
-  const pen = canvas.getContext("2d");
-  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  pen.clearRect(0, 0, width, height);
-  return [pen, width, height];
-}
-
-function drawPane(pane, style) {
-  const [pen, width, height] = prepare(canvases[pane]);
-  const across = view.right - view.left || 1;
-  const up = view.high - view.low || 1;
-  const scale = Math.min((width - 20) / across, (height - 20) / up);
-  const place = ([x, y]) => [
-    width / 2 + (x - (view.left + view.right) / 2) * scale,
-    height / 2 - (y - (view.low + view.high) / 2) * scale,
-  ];
-  const circle = (centre, radius) => {
-    pen.beginPath();
-    pen.arc(...place(centre), radius * scale, 0, 2 * Math.PI);
-  };
-  pen.strokeStyle = style.getPropertyValue("--ink");
-  pen.lineWidth = 2;
-  for (const [from, to] of data.walls) {
-    pen.beginPath();
-    pen.moveTo(...place(from));
-    pen.lineTo(...place(to));
-    pen.stroke();
+    this.time = Math.min(Math.max(time, 0), this.until);
+    this.find("time").value = this.time;
+    this.find("clock").textContent = "t = " + Number(this.time.toPrecision(8));
+    this.draw();
   }
-  const motion = motions[pane];
-  replay.positions(pane).forEach((centre, disc) => {
-    pen.fillStyle = motion.discs[disc].fixed ? style.getPropertyValue("--quiet") : colours[disc % colours.length];
-    circle(centre, motion.discs[disc].radius);
-    pen.fill();
-  });
-  const mark = motion.impacts[search(motion.impacts, replay.time)];
-  if (!mark || mark.time > replay.time) return;
-  pen.strokeStyle = style.getPropertyValue("--hot");
-  for (const { disc, leg } of mark.bodies) {
-    circle(leg.position, motion.discs[disc].radius);
-    pen.stroke();
+
+  draw() {
+    const style = getComputedStyle(this.root);
+    const colour = (name) => style.getPropertyValue("--" + name);
+    this.canvases.forEach((_, pane) => this.drawPane(pane, colour));
+    this.drawAxis(colour);
+  }
+
+  drawPane(pane, colour) {
+    const plane = new Plane(this.canvases[pane], this.view);
+    const { pen } = plane;
+    const motion = this.motions[pane];
+    pen.strokeStyle = colour("ink");
+    pen.lineWidth = 2;
+    for (const [from, to] of this.data.walls) plane.line(from, to);
+    this.positions(pane).forEach((centre, disc) => {
+      const { fixed, radius } = motion.discs[disc];
+      pen.fillStyle = fixed ? colour("pale") : colours[disc % colours.length];
+      plane.circle(centre, radius).fill();
+    });
+    const mark = motion.impacts[begun(motion.impacts, this.time) - 1];
+    pen.strokeStyle = colour("hot");
+    for (const [disc, x, y] of mark?.bodies ?? [])
+      plane.circle([x, y], motion.discs[disc].radius).stroke();
+    this.drawFaults(pane, plane, colour);
+  }
+
+  // Those of a little while ago, fading.
+  drawFaults(pane, plane, colour) {
+    const { faults } = this.data.panes[pane];
+    const lasting = Math.max(this.data.frame, this.until / 100);
+    for (let last = begun(faults, this.time) - 1; last >= 0; last--) {
+      const { time, kind, places } = faults[last];
+      const age = (this.time - time) / lasting;
+      if (age >= 1) break;
+      plane.pen.globalAlpha = 1 - age;
+      plane.pen.strokeStyle = colour(kind);
+      for (const [disc, x, y] of places)
+        looks[kind](plane, [x, y], this.motions[pane].discs[disc].radius);
+    }
+    plane.pen.globalAlpha = 1;
+  }
+
+  // A lane for impacts, and one for each kind of fault; the first difference across all.
+  drawAxis(colour) {
+    const [pen, width, height] = prepare(this.find("axis"));
+    const lane = height / (kinds.length + 1);
+    const line = (time, name, top, long, thick) => {
+      pen.fillStyle = colour(name);
+      const across = 8 + (time / (this.until || 1)) * (width - 16);
+      pen.fillRect(across - thick / 2, top, thick, long);
+    };
+    for (const time of this.times) line(time, "hot", 0, lane - 1, 1);
+    for (const { faults } of this.data.panes)
+      for (const { time, kind } of faults)
+        line(time, kind, lane * (kinds.indexOf(kind) + 1), lane - 1, 2);
+    if (this.data.difference) line(this.data.difference.time, "ink", 0, height, 1);
+  }
+
+  // A run takes ten seconds at the usual speed.
+  tick(now) {
+    if (!this.playing) return;
+    const speed = 2 ** Number(this.find("speed").value);
+    const passed = ((now - this.stamp) / 1e4) * this.until * speed;
+    this.stamp = now;
+    this.seek(this.time + passed);
+    if (this.time >= this.until) this.play(false);
+    else requestAnimationFrame((then) => this.tick(then));
+  }
+
+  play(on) {
+    this.playing = on;
+    this.find("play").textContent = on ? "Pause" : "Play";
+    if (!on) return;
+    if (this.time >= this.until) this.seek(0);
+    this.stamp = performance.now();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  jump(time) {
+    this.play(false);
+    if (time !== undefined) this.seek(time);
+  }
+
+  listen() {
+    const after = (times) => times.find((time) => time > this.time);
+    const faults = this.data.panes.flatMap((pane) => pane.faults.map((fault) => fault.time));
+    const actions = {
+      play: () => this.play(!this.playing),
+      next: () => this.jump(after(this.times)),
+      previous: () => this.jump(this.times.findLast((time) => time < this.time)),
+      wrong: () => this.jump(after(faults)),
+      difference: () => this.jump(this.data.difference?.time),
+    };
+    for (const name of Object.keys(actions)) this.find(name)?.addEventListener("click", actions[name]);
+    // Where there is no other one, the whole page is the replay's.
+    const listener = document.querySelectorAll(".replay").length > 1 ? this.root : window;
+    listener.addEventListener("keydown", (event) => this.press(event, actions));
+    this.find("time").max = this.until;
+    this.find("time").addEventListener("input", (event) => this.jump(Number(event.target.value)));
+    addEventListener("resize", () => this.draw());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
+  }
+
+  press(event, actions) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    const isOfButton = event.key === " " && ["BUTTON", "SUMMARY"].includes(event.target.tagName);
+    if (step && !event.target.classList?.contains("speed"))
+      this.jump(this.time + (step * this.until) / 200);
+    else if (event.key in keys && !isOfButton) actions[keys[event.key]]();
+    else return;
+    event.preventDefault();
   }
 }
 
-function drawAxis(style) {
-  const [pen, width, height] = prepare(element("axis"));
-  const line = (time, colour, top, thick) => {
-    pen.fillStyle = style.getPropertyValue(colour);
-    pen.fillRect(8 + (time / (until || 1)) * (width - 16) - thick / 2, top, thick, height - top);
-  };
-  for (const time of times) line(time, "--hot", height / 2, 1);
-  if (data.difference) line(data.difference.time, "--bad", 0, 3);
-}
-
-function draw() {
-  const style = getComputedStyle(document.documentElement);
-  canvases.forEach((_, pane) => drawPane(pane, style));
-  drawAxis(style);
-}
-
-// A run takes ten seconds at the usual speed.
-function tick(now) {
-  if (!playing) return;
-  const passed = ((now - stamp) / 1e4) * until * 2 ** Number(element("speed").value);
-  stamp = now;
-  replay.seek(replay.time + passed);
-  if (replay.time >= until) play(false);
-  else requestAnimationFrame(tick);
-}
-
-function play(on) {
-  playing = on;
-  element("play").textContent = on ? "Pause" : "Play";
-  if (!on) return;
-  if (replay.time >= until) replay.seek(0);
-  stamp = performance.now();
-  requestAnimationFrame(tick);
-}
-
-function jump(time) {
-  play(false);
-  if (time !== undefined) replay.seek(time);
-}
-
-const actions = {
-  play: () => play(!playing),
-  next: () => jump(times.find((time) => time > replay.time)),
-  previous: () => jump(times.findLast((time) => time < replay.time)),
-  difference: () => jump(data.difference?.time),
-};
-const keys = { " ": "play", n: "next", p: "previous", d: "difference" };
-for (const name of Object.keys(actions)) element(name)?.addEventListener("click", actions[name]);
-addEventListener("keydown", (event) => {
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
-  const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (step && event.target.id !== "speed") jump(replay.time + (step * until) / 200);
-  else if (event.key in keys && !(event.key === " " && event.target.tagName === "BUTTON")) actions[keys[event.key]]();
-  else return;
-  event.preventDefault();
-});
-element("time").max = until;
-element("time").addEventListener("input", (event) => jump(Number(event.target.value)));
-addEventListener("resize", draw);
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
-if (data.panes.length > 1)
-  element("parting").textContent = data.difference
-    ? "The run " + data.difference.text + "."
-    : "Both have the same impacts of each disc in the same order.";
-replay.seek(0);
+window.replays = [...document.querySelectorAll(".replay")].map((root) => new Replay(root));

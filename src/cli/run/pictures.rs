@@ -1,16 +1,26 @@
 //! What is to be looked at of a run.
 
 use carom::arithmetic::Arithmetic;
+use carom::judge::judge;
 use carom::run::{Options, Outcome};
 use carom::scalar::Exact;
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
+use carom::timeline::Simultaneous;
 
 use super::{Arguments, watched};
 use crate::cli::draw::{Panel, Story, picture};
 use crate::cli::error::Error;
 use crate::cli::motion::Motion;
 use crate::cli::replay::{self, Pane};
+
+/// The scene, with only as many frames as it takes to get to a time.
+fn up_to(scene: &Scene, time: f64) -> Scene {
+    let duration = &scene.frame().duration;
+    let count = (time / duration.to_f64()).ceil().max(1.0) as u64;
+    let shorter = scene.to_builder().frame(duration.clone(), count).build();
+    shorter.unwrap_or_else(|_| scene.clone())
+}
 
 impl Arguments {
     /// Whether any picture is wanted, for which the circumstances of impacts are kept.
@@ -71,12 +81,21 @@ impl Arguments {
         options: &Options,
         outcome: &Outcome<S>,
     ) -> Result<String, Error> {
-        let mut panes = vec![Pane::new(scene, algorithm, outcome)];
-        if algorithm != Algorithm::Timeline || S::NAME != Exact::NAME {
-            let truth = watched::<Exact>(scene, Algorithm::Timeline, options);
-            let truth = truth.map_err(|reason| self.unsupported(reason))?;
-            panes.push(Pane::new(scene, Algorithm::Timeline, &truth));
+        let pane = Pane::new(scene, algorithm, outcome);
+        if algorithm == Algorithm::Timeline && S::NAME == Exact::NAME {
+            return Ok(replay::page(scene, &[pane]));
         }
-        Ok(replay::page(scene, &panes))
+        let unsupported = |reason| self.unsupported(reason);
+        let truth = watched::<Exact>(scene, Algorithm::Timeline, options).map_err(unsupported)?;
+        let truth = Pane::new(scene, Algorithm::Timeline, &truth);
+        // Frames are judged by the usual rule.
+        if options.simultaneous != Simultaneous::default() {
+            return Ok(replay::page(scene, &[pane, truth]));
+        }
+        let part = up_to(scene, outcome.time.to_f64());
+        let judged = judge::<S>(&part, algorithm, options.frame_broad_phase, &options.budget);
+        let judged = judged.map_err(unsupported)?;
+        let pane = pane.with_faults(&judged.faults, [judged.frames, judged.undecided]);
+        Ok(replay::page(scene, &[pane, truth]))
     }
 }

@@ -9,7 +9,8 @@ use std::ops::ControlFlow;
 
 use crate::arithmetic::Arithmetic;
 use crate::judge::difference::first_difference;
-use crate::judge::tally::{Logged, match_up, ulp};
+use crate::judge::matching::match_up;
+use crate::judge::tally::{Logged, ulp};
 use crate::run::{Options, run};
 use crate::scalar::Filtered;
 use crate::scene::Scene;

@@ -20,7 +20,8 @@ mod margin;
 use std::ops::ControlFlow;
 
 use super::difference::{Difference, first_difference};
-use super::tally::{Logged, compare_frame};
+use super::matching::compare_frame;
+use super::tally::Logged;
 use crate::impact::Impact;
 use crate::run::{Options, Outcome, Progress, Status, run};
 use crate::scalar::{Exact, Number, Scalar};

@@ -13,17 +13,20 @@ mod table;
 
 use carom::arithmetic::Budget;
 use carom::frame::BroadPhase;
+use carom::simulation::Algorithm;
 use maud::{Markup, PreEscaped, html};
 
 use self::growth::Growth;
 use self::machine::Machine;
 use self::sweep::{Kind, Sweep};
+use super::candidate::Candidate;
 use super::row::Row;
 use super::truth::Truth;
 use super::units::duration;
-use super::{Comparison, colour, table1};
+use super::{Comparison, table1};
 use crate::cli::choice::AlgorithmName;
 use crate::cli::html;
+use crate::cli::replay::{self, Pane};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -32,6 +35,8 @@ pub(super) struct Study {
     frames: u64,
     sweeps: Vec<Sweep>,
     growth: Option<Growth>,
+    /// A candidate and the truth, to be played; none of a periodic scene.
+    replay: Option<[Pane; 2]>,
 }
 
 impl Study {
@@ -51,8 +56,20 @@ impl Study {
             frames: part.frame().count,
             sweeps: sweeps.collect(),
             growth: Growth::run(scene, truth, &part, budget),
+            replay: played(comparison, budget),
         }
     }
+}
+
+/// The candidate that is played beside the truth: the first of the paper's multiple
+/// collision algorithm, or else of all.
+fn played(comparison: &Comparison, budget: &Budget) -> Option<[Pane; 2]> {
+    let Comparison { scene, rows, .. } = comparison;
+    let is_multiple = |row: &&Row| matches!(row.candidate.algorithm, Algorithm::Multiple(_));
+    let row = rows.iter().find(is_multiple).or(rows.first())?;
+    let pane = row.candidate.pane(scene, budget)?;
+    let pane = pane.with_faults(&row.faults, [row.frames, row.undecided]);
+    Some([pane, Candidate::TRUTH.pane(scene, budget)?])
 }
 
 /// The page that shows comparisons, each with its study.
@@ -69,8 +86,9 @@ pub(super) fn page(comparisons: &[Comparison], studies: &[Study], phase: BroadPh
             (section(comparison, study))
         }
         (method(phase))
+        (replay::script())
     };
-    let style = format!("{}{STYLE}", colour::VARIABLES);
+    let style = format!("{STYLE}{}", replay::STYLE);
     html::page("What accuracy costs · carom", &style, &body)
 }
 
@@ -116,6 +134,7 @@ fn section(comparison: &Comparison, study: &Study) -> Markup {
             (figures::parts(rows))
             (figures::sweeps(&study.sweeps, study.frames, frame.count))
             @if let Some(growth) = &study.growth { (figures::growth(growth)) }
+            @if let Some(panes) = &study.replay { h3 { "Replay" } (replay::part(scene, panes)) }
         }
     }
 }

@@ -5,9 +5,10 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::cli::compare::colour::{CARD, GRID, INK, PALE, VARIABLES, WRONG, theme};
+use crate::cli::compare::colour::{CARD, GRID, INK, PALE, WRONG, theme};
 use crate::cli::compare::row::Row;
 use crate::cli::compare::units::digits;
+use crate::cli::html::COLOURS;
 
 /// One of the paper's two scenes.
 pub(super) struct Column<'a> {
@@ -58,7 +59,7 @@ pub(super) fn picture(columns: &[Column<'_>; 2]) -> String {
 
 fn with_style(svg: &str) -> String {
     let (opening, rest) = svg.split_once('>').unwrap_or((svg, ""));
-    format!("{opening}>\n<style>{VARIABLES}</style>{rest}")
+    format!("{opening}>\n<style>{COLOURS}</style>{rest}")
 }
 
 fn draw<'b>(area: &Area<'b>, columns: &[Column<'_>; 2]) -> Drawn<'b> {
