@@ -114,6 +114,10 @@ mod gallery;
 mod generated;
 
 #[cfg(feature = "cli")]
+#[path = "scene/families.rs"]
+mod families;
+
+#[cfg(feature = "cli")]
 #[test]
 fn the_committed_schema_is_fresh() {
     let file = repository().join("schema/scene.schema.json");

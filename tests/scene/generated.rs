@@ -21,7 +21,7 @@ fn overlap(a: &Disc, b: &Disc) -> bool {
     &dx * &dx + &dy * &dy < &reach * &reach
 }
 
-fn assert_apart(scene: &Scene) {
+pub(super) fn assert_apart(scene: &Scene) {
     for (index, disc) in scene.discs().iter().enumerate() {
         for other in &scene.discs()[..index] {
             assert!(!overlap(disc, other), "{}: {disc:?}, {other:?}", scene.id());

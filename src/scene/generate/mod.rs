@@ -7,6 +7,7 @@
 mod break_shot;
 mod corner;
 mod cradle;
+mod families;
 mod galperin;
 mod gas;
 mod mirror;
@@ -25,6 +26,7 @@ use crate::scalar::Number;
 pub use break_shot::{MAX_ROWS, Rack, break_shot};
 pub use corner::corner;
 pub use cradle::cradle;
+pub use families::{Family, scene_of};
 pub use galperin::{MAX_POWER, galperin};
 pub use gas::{gas, periodic_gas};
 pub use mirror::mirror;

@@ -11,6 +11,28 @@ impl Random {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
+    /// A stream of its own for each key.
+    pub(super) fn keyed(key: [u8; 32]) -> Self {
+        Self(ChaCha8Rng::from_seed(key))
+    }
+
+    /// One of the whole numbers from `low` to `high`, nearly evenly.
+    pub(super) fn whole(&mut self, low: i64, high: i64) -> i64 {
+        let count = high.abs_diff(low) + 1;
+        let scaled = u128::from(self.0.next_u64()) * u128::from(count);
+        low + (scaled >> u64::BITS) as i64
+    }
+
+    /// One of some.
+    pub(super) fn one_of<T: Clone>(&mut self, choice: &[T]) -> T {
+        choice[self.whole(0, choice.len() as i64 - 1) as usize].clone()
+    }
+
+    /// True as often as false.
+    pub(super) fn coin(&mut self) -> bool {
+        self.whole(0, 1) == 1
+    }
+
     /// Uniform from 0 to 1, without 1: a multiple of 2^-53.
     fn unit(&mut self) -> f64 {
         let bits = self.0.next_u64() >> (u64::BITS - f64::MANTISSA_DIGITS);
