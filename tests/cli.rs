@@ -133,5 +133,9 @@ mod drawing;
 mod judging;
 
 #[cfg(unix)]
+#[path = "cli/campaigning.rs"]
+mod campaigning;
+
+#[cfg(unix)]
 #[path = "cli/interrupting.rs"]
 mod interrupting;

@@ -6,7 +6,7 @@
 use super::check;
 use super::finding::Finding;
 use crate::scalar::Number;
-use crate::scene::{Disc, Mass, Restitution, Scene, Wall};
+use crate::scene::{Cell, Disc, Effects, Mass, Restitution, Scene, Wall};
 
 /// The most scenes that are tried.
 const TRIALS: usize = 4000;
@@ -32,8 +32,22 @@ pub fn minimise(scene: &Scene, finding: &Finding) -> Scene {
     minimise_by(scene, shows)
 }
 
-/// A smaller scene that shows something.
-fn minimise_by(scene: &Scene, shows: impl Fn(&Scene) -> bool) -> Scene {
+/// A smaller scene that shows something, as the scene itself does: with fewer bodies,
+/// frames and effects, and rounder numbers.
+///
+/// # Examples
+///
+/// ```
+/// use carom::check::minimise_by;
+/// use carom::scene::{Disc, Scene};
+///
+/// let discs = [1, 2, 3].map(|radius| Disc::at([10 * radius, 0], radius));
+/// let scene = Scene::builder("example").discs(discs).build()?;
+/// let two = minimise_by(&scene, |scene| scene.discs().len() >= 2);
+/// assert_eq!(two.discs().len(), 2);
+/// # Ok::<(), carom::scene::SceneError>(())
+/// ```
+pub fn minimise_by(scene: &Scene, shows: impl Fn(&Scene) -> bool) -> Scene {
     let mut draft = Draft::from(scene);
     let mut trials = TRIALS;
     while let Some(next) = draft.smaller(scene, &shows, &mut trials) {
@@ -49,7 +63,7 @@ struct Draft {
     walls: Vec<Wall>,
     duration: Number,
     frames: u64,
-    restitution: Restitution,
+    effects: Effects,
 }
 
 impl From<&Scene> for Draft {
@@ -59,7 +73,7 @@ impl From<&Scene> for Draft {
             walls: scene.walls().to_vec(),
             duration: scene.frame().duration.clone(),
             frames: scene.frame().count,
-            restitution: scene.effects().restitution.clone(),
+            effects: scene.effects().clone(),
         }
     }
 }
@@ -67,14 +81,27 @@ impl From<&Scene> for Draft {
 impl Draft {
     /// The scene, under the name of the original; none if it is not valid.
     fn scene(&self, original: &Scene) -> Option<Scene> {
-        let scene = Scene::builder(original.id())
+        let Effects {
+            restitution,
+            gravity,
+            drag,
+        } = self.effects.clone();
+        let mut scene = Scene::builder(original.id())
             .discs(self.discs.iter().cloned())
             .frame(&self.duration, self.frames)
-            .restitution(self.restitution.clone());
-        let walls = self.walls.iter();
-        let scene = walls.fold(scene, |scene, Wall { from, to }| {
-            scene.wall([&from[0], &from[1]], [&to[0], &to[1]])
-        });
+            .restitution(restitution);
+        for Wall { from, to } in &self.walls {
+            scene = scene.wall([&from[0], &from[1]], [&to[0], &to[1]]);
+        }
+        if let Some([x, y]) = &gravity {
+            scene = scene.gravity([x, y]);
+        }
+        if let Some(rate) = &drag {
+            scene = scene.linear_drag(rate);
+        }
+        if let Some(Cell { from, to }) = original.periodic() {
+            scene = scene.periodic([&from[0], &from[1]], [&to[0], &to[1]]);
+        }
         scene.build().ok()
     }
 
@@ -117,11 +144,19 @@ impl Draft {
             frames,
             ..self.clone()
         });
-        let elastic = (!self.restitution.is_elastic()).then(|| Self {
-            restitution: Restitution::Elastic,
-            ..self.clone()
-        });
-        fewer.chain(elastic)
+        fewer.chain(self.fewer_effects())
+    }
+
+    fn fewer_effects(&self) -> impl Iterator<Item = Self> {
+        let without = |leave_out: fn(&mut Effects)| {
+            let mut draft = self.clone();
+            leave_out(&mut draft.effects);
+            (draft.effects != self.effects).then_some(draft)
+        };
+        let elastic = without(|effects| effects.restitution = Restitution::Elastic);
+        let weightless = without(|effects| effects.gravity = None);
+        let free = without(|effects| effects.drag = None);
+        elastic.into_iter().chain(weightless).chain(free)
     }
 
     /// The drafts in which one number is rounder.

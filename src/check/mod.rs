@@ -38,7 +38,7 @@ use flight::Trial;
 use record::Record;
 
 pub use finding::{Finding, Kind, Run};
-pub use minimise::minimise;
+pub use minimise::{minimise, minimise_by};
 
 /// How much of a scene's runs is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@
 //! Exit status: 0 all as expected, 1 a judged difference, 2 bad usage or
 //! input, 3 the budget ran out; 130 after an interruption.
 
+mod campaign;
 mod check;
 mod choice;
 mod compare;
@@ -51,6 +52,7 @@ enum Command {
     Compare(compare::Arguments),
     Check(check::Arguments),
     Oracle(oracle::Arguments),
+    Campaign(campaign::Arguments),
     Table1(compare::table1::Arguments),
     Figures(figures::Arguments),
     Validate(validate::Arguments),
@@ -78,6 +80,7 @@ impl Command {
             Self::Compare(arguments) => compare::execute(arguments),
             Self::Check(arguments) => check::execute(arguments),
             Self::Oracle(arguments) => oracle::execute(arguments),
+            Self::Campaign(arguments) => campaign::execute(arguments),
             Self::Table1(arguments) => compare::table1::execute(arguments),
             Self::Figures(arguments) => figures::execute(arguments),
             Self::Validate(arguments) => Ok(validate::execute(arguments)),

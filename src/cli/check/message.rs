@@ -52,7 +52,7 @@ pub(super) fn headline(standing: Standing) -> &'static str {
 }
 
 /// The first difference, line by line.
-pub(super) fn told(difference: &FirstDifference) -> Vec<String> {
+pub(in crate::cli) fn told(difference: &FirstDifference) -> Vec<String> {
     let FirstDifference { disc, time, .. } = difference;
     let mut lines = vec![format!("{disc} leaves the truth at t = {time}")];
     lines.push(match &difference.truth {

@@ -3,6 +3,8 @@
 mod junit;
 mod message;
 
+pub(super) use message::told;
+
 use std::fs::File;
 use std::io::{self, BufReader};
 use std::ops::ControlFlow;

@@ -2,19 +2,22 @@
 
 use std::ops::ControlFlow;
 
+use carom::arithmetic::Arithmetic;
 use carom::body::End;
 use carom::first_impact::{Class, FirstImpact, of_disc_and_wall, of_discs};
 use carom::judge::Reference;
 use carom::log::{Bounds, Event, Header, Judgement, MIN_DIGITS, Recorder, Summary, proven_digits};
 use carom::run::{Options, run};
-use carom::scalar::Exact;
+use carom::scalar::{Exact, Filtered};
 use carom::scene::Scene;
 use carom::simulation::Algorithm;
 use serde::Serialize;
 use serde_json::value::RawValue;
 
+use super::Method;
 use super::request::{Kind, Request};
 use crate::cli::check;
+use crate::cli::choice::ArithmeticName;
 
 /// An answer, and to which question.
 #[derive(Serialize)]
@@ -89,11 +92,11 @@ impl<'a> Answer<'a> {
     }
 }
 
-/// Answers a request.
-pub(super) fn to(request: &Request<'_>) -> Result<Content, String> {
+/// Answers a request; what is simulated, by a method.
+pub(super) fn to(request: &Request<'_>, method: Method) -> Result<Content, String> {
     match request.request {
         Kind::FirstImpact => first_impact(request).map(Content::Met),
-        Kind::Simulate => simulate(request).map(|log| Content::Log(Box::new(log))),
+        Kind::Simulate => simulate(request, method).map(|log| Content::Log(Box::new(log))),
         Kind::Judge => judge(request).map(|verdict| Content::Verdict {
             verdict: Box::new(verdict),
         }),
@@ -123,7 +126,18 @@ fn named(problem: &str) -> String {
     named.next().unwrap_or_else(|| problem.to_owned())
 }
 
-fn simulate(request: &Request<'_>) -> Result<LogAnswer, String> {
+fn simulate(request: &Request<'_>, method: Method) -> Result<LogAnswer, String> {
+    match method.arithmetic {
+        ArithmeticName::Binary64 => simulate_in::<f64>(request, method.algorithm),
+        ArithmeticName::Filtered => simulate_in::<Filtered>(request, method.algorithm),
+        ArithmeticName::Exact => simulate_in::<Exact>(request, method.algorithm),
+    }
+}
+
+fn simulate_in<S: Arithmetic>(
+    request: &Request<'_>,
+    algorithm: Algorithm,
+) -> Result<LogAnswer, String> {
     let scene = scene(request)?;
     let digits = digits(request)?;
     let options = Options {
@@ -132,9 +146,9 @@ fn simulate(request: &Request<'_>) -> Result<LogAnswer, String> {
         ..options(request, digits)
     };
     let go_on = &mut |_| ControlFlow::Continue(());
-    let outcome = run::<Exact>(&scene, Algorithm::Timeline, &options, go_on);
+    let outcome = run::<S>(&scene, algorithm, &options, go_on);
     let outcome = outcome.map_err(|reason| reason.to_string())?;
-    let recorder = Recorder::new(&scene, Algorithm::Timeline, &options, &outcome).digits(digits);
+    let recorder = Recorder::new(&scene, algorithm, &options, &outcome).digits(digits);
     Ok(LogAnswer {
         header: recorder.header(),
         events: recorder.events().collect(),

@@ -5,6 +5,9 @@ mod request;
 
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
 
+use carom::simulation::Algorithm;
+
+use super::choice::{AlgorithmArguments, ArithmeticName};
 use super::error::Error;
 use super::exit::Exit;
 use answer::Answer;
@@ -34,12 +37,30 @@ const BUFFER: usize = 1 << 16;
   echo '{\"id\": 1, \"request\": \"first-impact\",
     \"a\": {\"position\": [0, 0], \"radius\": 1, \"velocity\": [10, 0]},
     \"b\": {\"position\": [5, 1], \"radius\": 1}}' | tr -d '\\n' | carom oracle")]
-pub(super) struct Arguments {}
+pub(super) struct Arguments {
+    #[command(flatten)]
+    algorithm: AlgorithmArguments,
+    /// The numbers that scenes are simulated with. Only in exact arithmetic a log is
+    /// proven; the others, and other algorithms, are there to be judged.
+    #[arg(long, value_name = "N", default_value = "exact")]
+    arithmetic: ArithmeticName,
+}
 
-pub(super) fn execute(_: &Arguments) -> Result<Exit, Error> {
+/// How scenes are simulated.
+#[derive(Clone, Copy, Debug)]
+struct Method {
+    algorithm: Algorithm,
+    arithmetic: ArithmeticName,
+}
+
+pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
+    let method = Method {
+        algorithm: arguments.algorithm.algorithm()?,
+        arithmetic: arguments.arithmetic,
+    };
     let input = BufReader::with_capacity(BUFFER, io::stdin().lock());
     let output = BufWriter::with_capacity(BUFFER, io::stdout().lock());
-    serve(input, output).map_err(|reason| Error::Unwritable {
+    serve(input, output, method).map_err(|reason| Error::Unwritable {
         file: String::from("standard output"),
         reason,
     })?;
@@ -47,7 +68,11 @@ pub(super) fn execute(_: &Arguments) -> Result<Exit, Error> {
 }
 
 /// Answers all lines. What is written is sent on as soon as no further line is there.
-fn serve<R: io::Read>(mut input: BufReader<R>, mut output: impl Write) -> io::Result<()> {
+fn serve<R: io::Read>(
+    mut input: BufReader<R>,
+    mut output: impl Write,
+    method: Method,
+) -> io::Result<()> {
     let (mut line, mut number) = (Vec::new(), 0_u64);
     loop {
         line.clear();
@@ -56,7 +81,7 @@ fn serve<R: io::Read>(mut input: BufReader<R>, mut output: impl Write) -> io::Re
         }
         number += 1;
         if !line.trim_ascii().is_empty() {
-            serde_json::to_writer(&mut output, &answer_to(&line, number))?;
+            serde_json::to_writer(&mut output, &answer_to(&line, number, method))?;
             output.write_all(b"\n")?;
         }
         if input.buffer().is_empty() {
@@ -66,9 +91,9 @@ fn serve<R: io::Read>(mut input: BufReader<R>, mut output: impl Write) -> io::Re
 }
 
 /// The answer to a line.
-fn answer_to(line: &[u8], number: u64) -> Answer<'_> {
+fn answer_to(line: &[u8], number: u64, method: Method) -> Answer<'_> {
     let (id, request) = Request::read(line);
-    let answered = request.and_then(|request| answer::to(&request));
+    let answered = request.and_then(|request| answer::to(&request, method));
     Answer::new(id, answered, number)
 }
 
@@ -78,9 +103,14 @@ mod tests {
 
     use super::*;
 
+    const PROVEN: Method = Method {
+        algorithm: Algorithm::Timeline,
+        arithmetic: ArithmeticName::Exact,
+    };
+
     fn answers(lines: &str) -> Vec<Value> {
         let mut output = Vec::new();
-        serve(BufReader::new(lines.as_bytes()), &mut output).expect("text");
+        serve(BufReader::new(lines.as_bytes()), &mut output, PROVEN).expect("text");
         let output = String::from_utf8(output).expect("text");
         let lines = output.lines().map(serde_json::from_str);
         lines.collect::<Result<_, _>>().expect("JSON")
@@ -195,7 +225,7 @@ mod tests {
     #[test]
     fn bytes_are_answered_too() {
         let mut output = Vec::new();
-        serve(BufReader::new(&b"\xff\n{}\n"[..]), &mut output).expect("a buffer");
+        serve(BufReader::new(&b"\xff\n{}\n"[..]), &mut output, PROVEN).expect("a buffer");
         assert_eq!(output.iter().filter(|byte| **byte == b'\n').count(), 2);
     }
 }
