@@ -81,9 +81,9 @@ impl Gas {
         let speed = [0, 1].map(|axis| self.velocities[other][axis] - self.velocities[one][axis]);
         let part = (speed[0] * normal[0] + speed[1] * normal[1])
             / (normal[0] * normal[0] + normal[1] * normal[1]);
-        for axis in 0..2 {
-            self.velocities[one][axis] += part * normal[axis];
-            self.velocities[other][axis] -= part * normal[axis];
+        for (axis, along) in normal.into_iter().enumerate() {
+            self.velocities[one][axis] += part * along;
+            self.velocities[other][axis] -= part * along;
         }
     }
 }
@@ -132,7 +132,8 @@ fn body(other: Result<usize, usize>) -> BodyId {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    Ok(println!("{:#?}", verdict()?))
+    println!("{:#?}", verdict()?);
+    Ok(())
 }
 
 #[test]

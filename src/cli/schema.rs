@@ -4,6 +4,7 @@ use carom::log::{events_schema, state_schema, verdict_schema};
 use carom::scene::scene_schema;
 use clap::ValueEnum;
 
+use super::campaign;
 use super::error::Error;
 use super::exit::Exit;
 use super::output::{Output, standard};
@@ -26,6 +27,8 @@ enum Format {
     State,
     /// Judgements, carom/verdict/1.
     Verdict,
+    /// Summaries of campaigns, carom/campaign/1.
+    Campaign,
 }
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
@@ -34,6 +37,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
         Format::Events => events_schema(),
         Format::State => state_schema(),
         Format::Verdict => verdict_schema(),
+        Format::Campaign => campaign::schema(),
     };
     Output::open(&standard())?.write_text(&schema)?;
     Ok(Exit::Success)

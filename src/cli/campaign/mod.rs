@@ -29,7 +29,7 @@ use known::Known;
 use outcome::{Examiner, Outcome};
 use shard::{Task, go_through};
 use store::{Format, Header, Store};
-use summary::Summary;
+use summary::{Report, Summary};
 
 /// So many findings are told; the files have all.
 const TOLD: usize = 20;
@@ -285,6 +285,12 @@ impl<'a> Campaign<'a> {
         }
         Ok(exit)
     }
+}
+
+/// The JSON Schema of `carom/campaign/1`, as text.
+pub(super) fn schema() -> String {
+    let schema = schemars::schema_for!(Report<'static>);
+    format!("{:#}\n", schema.as_value())
 }
 
 fn told(name: &str, outcome: &Outcome) -> String {

@@ -6,6 +6,7 @@ use carom::judge::{Difference, Reference, Standing, Verdict};
 use carom::log::{Event, Judgement, MIN_DIGITS, proven_digits};
 use carom::run::{Options, Status};
 use carom::scene::Scene;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -17,7 +18,9 @@ use crate::cli::check;
 const MAX_EVENTS: u64 = 10_000;
 
 /// How the program fares with a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Class {
     /// It follows the truth to the end.
@@ -86,13 +89,15 @@ impl Class {
 }
 
 /// What comes of a scene.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Outcome {
+    /// How the program fares with it.
     pub(super) class: Class,
     /// The largest error of a time, as far as the order is right.
     pub(super) time_error: f64,
     /// What is wrong, or why there is nothing to judge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
     pub(super) detail: Option<String>,
 }
 

@@ -6,6 +6,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use carom::scene::generate::Family;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::outcome::Outcome;
@@ -13,22 +14,29 @@ use super::shard::Task;
 use crate::cli::error::Error;
 
 /// What all outcomes of a file have in common: its first line.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Header {
     pub(super) schema: Format,
+    /// The version of carom.
     pub(super) carom: String,
+    /// The program, with its arguments.
     #[serde(rename = "impl")]
     pub(super) command: String,
+    /// The seed of all scenes.
     pub(super) seed: u64,
     /// The seconds that an answer may take.
     pub(super) timeout: f64,
+    /// The largest error of a time that is no finding.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "f64")]
     pub(super) time_tolerance: Option<f64>,
 }
 
 /// The name and version of the format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
 pub(super) enum Format {
+    /// The first version.
     #[serde(rename = "carom/campaign/1")]
     Campaign1,
 }

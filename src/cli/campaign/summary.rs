@@ -1,7 +1,10 @@
 //! What a campaign comes to, by family.
 
+use std::collections::BTreeMap;
+
 use carom::scene::generate::Family;
 use comfy_table::{CellAlignment, Table, presets};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::known::Known;
@@ -16,34 +19,39 @@ pub(super) struct Summary<'a> {
     known: &'a [Known],
 }
 
-/// The same in JSON, `carom/campaign/1`.
-#[derive(Serialize)]
+/// What a campaign comes to, `carom/campaign/1`.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Campaign")]
 pub(super) struct Report<'a> {
     #[serde(flatten)]
     header: &'a Header,
     families: Vec<Row>,
+    /// All findings, also those that are expected.
     findings: Vec<Finding<'a>>,
     /// What was expected and did not come.
     passing: Vec<String>,
 }
 
 /// A family, in numbers.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Row {
     family: &'static str,
     scenes: usize,
     /// So many of each class.
-    #[serde(flatten)]
-    counts: std::collections::BTreeMap<&'static str, usize>,
+    counts: BTreeMap<&'static str, usize>,
+    /// The largest error of a time, as far as the order is right.
     time_error: f64,
 }
 
-#[derive(Serialize)]
+/// A scene with which something is wrong.
+#[derive(Serialize, JsonSchema)]
 struct Finding<'a> {
+    /// The family, the seed and the number, such as `near-tie-1-7`.
     scene: String,
     #[serde(flatten)]
     outcome: &'a Outcome,
-    is_known: bool,
+    /// Whether it is expected.
+    known: bool,
 }
 
 impl<'a> Summary<'a> {
@@ -126,7 +134,7 @@ impl<'a> Summary<'a> {
             findings: findings
                 .map(|(task, outcome)| Finding {
                     scene: task.name(self.header.seed),
-                    is_known: self.is_known(*task, outcome),
+                    known: self.is_known(*task, outcome),
                     outcome,
                 })
                 .collect(),

@@ -23,6 +23,7 @@ use super::error::Error;
 use super::exit::Exit;
 use super::output::{Output, check_distinct, is_standard, standard};
 use super::progress::RunBar;
+use super::replay::{Pane, Replay};
 
 /// Judge another program's event log.
 ///
@@ -46,6 +47,10 @@ pub(super) struct Arguments {
     /// Where the verdict goes as a JUnit report, for continuous integration.
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+    /// Where a replay of the truth goes, a page of its own with marks at the first
+    /// difference; - is standard output, in place of the text.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// The time at which the truth ends, instead of that of the scene.
     #[arg(long, value_name = "T", value_parser = choice::duration, allow_negative_numbers = true)]
     until: Option<Number>,
@@ -64,6 +69,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
         reason,
     };
     check_support::<Exact>(&scene, Algorithm::Timeline).map_err(unsupported)?;
+    arguments.check_replay(&scene)?;
     let log = read(&arguments.events)?;
     let log = logged(&scene, &log.events).map_err(|reason| Error::Log {
         file: arguments.events.display().to_string(),
@@ -78,6 +84,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let verdict = reference.judge(&log);
     let judgement = Judgement::new(&scene, &reference, &verdict, MIN_DIGITS);
     arguments.write(&judgement)?;
+    arguments.write_replay(&scene, &reference, &verdict)?;
     Ok(exit(&reference, &verdict))
 }
 
@@ -88,7 +95,11 @@ impl Arguments {
             let problem = "-: expected only one of the scene and --events";
             return Err(Error::Usage(String::from(problem)));
         }
-        check_distinct(&[("--json", &self.json), ("--junit", &self.junit)])
+        check_distinct(&[
+            ("--json", &self.json),
+            ("--junit", &self.junit),
+            ("--html", &self.html),
+        ])
     }
 
     fn options(&self) -> Options {
@@ -98,13 +109,14 @@ impl Arguments {
             budget: self.budget.budget(),
             digits: proven_digits(MIN_DIGITS),
             simultaneous: self.simultaneous.simultaneous(),
+            contacts: self.html.is_some(),
             ..Options::default()
         }
     }
 
     fn write(&self, judgement: &Judgement) -> Result<(), Error> {
-        let takes_output = |path: &Option<PathBuf>| path.as_deref().is_some_and(is_standard);
-        if !takes_output(&self.json) && !takes_output(&self.junit) {
+        let mut results = [&self.json, &self.junit, &self.html].into_iter().flatten();
+        if !results.any(|path| is_standard(path)) {
             Output::open(&standard())?.write_text(&message::text(judgement))?;
         }
         if let Some(path) = &self.json {
@@ -117,6 +129,32 @@ impl Arguments {
             Some(path) => Output::open(path)?.write_text(&junit::report(judgement)),
             None => Ok(()),
         }
+    }
+}
+
+impl Arguments {
+    /// A replay shows no copies of discs.
+    fn check_replay(&self, scene: &Scene) -> Result<(), Error> {
+        match (&self.html, scene.periodic()) {
+            (Some(_), Some(_)) => Err(Error::Usage(String::from(
+                "--html: expected a scene that is not periodic",
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    fn write_replay(
+        &self,
+        scene: &Scene,
+        reference: &Reference<'_>,
+        verdict: &Verdict,
+    ) -> Result<(), Error> {
+        let Some(path) = &self.html else {
+            return Ok(());
+        };
+        let truth = Pane::new(scene, Algorithm::Timeline, reference.outcome());
+        let replay = Replay::of_log(truth, verdict.difference.as_ref());
+        Output::open(path)?.write_text(&replay.page(scene))
     }
 }
 

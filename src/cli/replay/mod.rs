@@ -4,7 +4,8 @@
 mod fault;
 
 use carom::arithmetic::Arithmetic;
-use carom::judge::{Fault, Logged, first_difference};
+use carom::body::Pair;
+use carom::judge::{Difference, Fault, Logged, first_difference};
 use carom::run::{Outcome, Status};
 use carom::scalar::Number;
 use carom::scene::Scene;
@@ -51,11 +52,11 @@ struct Data<'a> {
     frame: f64,
     walls: Vec<[Point; 2]>,
     panes: &'a [Pane],
-    difference: Option<Parting>,
+    difference: Option<&'a Parting>,
 }
 
-/// Where the first pane leaves the second.
-#[derive(Serialize)]
+/// Where a run leaves the truth.
+#[derive(Debug, Serialize)]
 struct Parting {
     time: f64,
     text: String,
@@ -94,35 +95,113 @@ impl Pane {
     }
 }
 
-/// The page of one run, or of a run and the truth.
-pub(super) fn page(scene: &Scene, panes: &[Pane]) -> String {
-    let title = format!("{}: replay", scene.id());
-    let body = html! {
-        h1 { (title) }
-        (part(scene, panes))
-        (script())
-    };
-    let style = format!("{}{STYLE}", include_str!("page.css"));
-    html::page(&title, &style, &body)
+/// One pane or two, and where they part.
+#[derive(Debug)]
+pub(super) struct Replay {
+    panes: Vec<Pane>,
+    difference: Option<Parting>,
+    /// What there is to say of the truth, if the replay is about that.
+    told: Option<String>,
 }
 
-/// A replay as a part of a page that has the style and, after it, the script.
-pub(super) fn part(scene: &Scene, panes: &[Pane]) -> Markup {
-    let difference = match panes {
-        [run, truth] => parting(run, truth),
-        _ => None,
-    };
-    let has_truth = panes.len() > 1;
-    html! {
-        div.replay tabindex="0" {
-            div.panes { @for pane in panes { figure { figcaption { (pane.title) } canvas {} } } }
-            canvas.axis aria-hidden="true" {}
-            input.time type="range" min="0" max="1" step="any" value="0" aria-label="Time";
-            (controls(has_truth))
-            @if has_truth { (told(difference.as_ref())) (legend(&panes[0])) }
-            (keys(has_truth))
-            script.data type="application/json" { (PreEscaped(data(scene, panes, difference))) }
+impl Replay {
+    /// A run alone.
+    pub(super) fn of(pane: Pane) -> Self {
+        Self {
+            panes: vec![pane],
+            difference: None,
+            told: None,
         }
+    }
+
+    /// A run beside the truth.
+    pub(super) fn beside(run: Pane, truth: Pane) -> Self {
+        let difference = parting(&run, &truth);
+        let told = match &difference {
+            Some(found) => format!("The run {}.", found.text),
+            None => String::from("Both have the same impacts of each disc in the same order."),
+        };
+        Self {
+            panes: vec![run, truth],
+            difference,
+            told: Some(told),
+        }
+    }
+
+    /// The truth, with the first impact of a log that is not the true one.
+    pub(super) fn of_log(truth: Pane, found: Option<&Difference>) -> Self {
+        let truly = found.and_then(|found| found.truth);
+        let logged = found.and_then(|found| found.candidate);
+        let fault = |kind, impact: Option<(Pair, f64)>| {
+            let (pair, time) = impact?;
+            let tie = None;
+            Some((kind, Logged { pair, time, tie }))
+        };
+        let faults = [fault(Fault::Missed, truly), fault(Fault::Spurious, logged)];
+        let faults: Vec<_> = faults.into_iter().flatten().collect();
+        let told = found.map_or_else(
+            || String::from("The log has the true impacts of each disc in their order."),
+            |found| {
+                format!(
+                    "The log {found}. A dashed ring is where that truly happens, a ring with a \
+                     cross where the discs of the log's impact truly are at its time."
+                )
+            },
+        );
+        Self {
+            panes: vec![Pane {
+                faults: fault::placed(&truth.motion, &faults),
+                ..truth
+            }],
+            difference: found.map(Parting::from),
+            told: Some(told),
+        }
+    }
+
+    /// A page of its own.
+    pub(super) fn page(self, scene: &Scene) -> String {
+        let title = format!("{}: replay", scene.id());
+        let body = html! {
+            h1 { (title) }
+            (self.part(scene))
+            (script())
+        };
+        let style = format!("{}{STYLE}", include_str!("page.css"));
+        html::page(&title, &style, &body)
+    }
+
+    /// A part of a page that has the style and, after it, the script.
+    pub(super) fn part(&self, scene: &Scene) -> Markup {
+        let has_truth = self.told.is_some();
+        html! {
+            div.replay tabindex="0" {
+                div.panes {
+                    @for pane in &self.panes { figure { figcaption { (pane.title) } canvas {} } }
+                }
+                canvas.axis aria-hidden="true" {}
+                input.time type="range" min="0" max="1" step="any" value="0" aria-label="Time";
+                (controls(has_truth))
+                @if let Some(told) = &self.told { p.parting { (told) } }
+                (legend(&self.panes[0]))
+                (keys(has_truth))
+                script.data type="application/json" { (PreEscaped(self.data(scene))) }
+            }
+        }
+    }
+
+    /// The data, such that no text in it ends the script.
+    fn data(&self, scene: &Scene) -> String {
+        let number = |point: &[Number; 2]| point.each_ref().map(Number::to_f64);
+        let walls = scene.walls().iter();
+        let data = Data {
+            scene: scene.id(),
+            frame: scene.frame().duration.to_f64(),
+            walls: walls.map(|w| [number(&w.from), number(&w.to)]).collect(),
+            panes: &self.panes,
+            difference: self.difference.as_ref(),
+        };
+        let json = serde_json::to_string(&data).expect("all keys are strings");
+        json.replace("</", "<\\/").replace("<!--", "<\\u0021--")
     }
 }
 
@@ -144,17 +223,6 @@ fn controls(has_truth: bool) -> Markup {
             label { "Speed "
                 input.speed type="range" min="-3" max="3" step="0.5" value="0"; }
             output.clock {}
-        }
-    }
-}
-
-fn told(difference: Option<&Parting>) -> Markup {
-    html! {
-        p.parting {
-            @match difference {
-                Some(found) => { "The run " (found.text) "." }
-                None => { "Both have the same impacts of each disc in the same order." }
-            }
         }
     }
 }
@@ -194,21 +262,6 @@ fn keys(has_truth: bool) -> Markup {
     }
 }
 
-/// The data, such that no text in it ends the script.
-fn data(scene: &Scene, panes: &[Pane], difference: Option<Parting>) -> String {
-    let number = |point: &[Number; 2]| point.each_ref().map(Number::to_f64);
-    let walls = scene.walls().iter();
-    let data = Data {
-        scene: scene.id(),
-        frame: scene.frame().duration.to_f64(),
-        walls: walls.map(|w| [number(&w.from), number(&w.to)]).collect(),
-        panes,
-        difference,
-    };
-    let json = serde_json::to_string(&data).expect("all keys are strings");
-    json.replace("</", "<\\/").replace("<!--", "<\\u0021--")
-}
-
 /// Where a run leaves the truth, as far as both are known.
 fn parting(run: &Pane, truth: &Pane) -> Option<Parting> {
     let end = run.reached.min(truth.reached);
@@ -216,8 +269,14 @@ fn parting(run: &Pane, truth: &Pane) -> Option<Parting> {
         let log = pane.log.iter().filter(|impact| impact.time < end);
         log.copied().collect::<Vec<_>>()
     };
-    first_difference(&known(truth), &known(run)).map(|found| Parting {
-        time: found.time,
-        text: found.to_string(),
-    })
+    first_difference(&known(truth), &known(run)).map(|found| Parting::from(&found))
+}
+
+impl From<&Difference> for Parting {
+    fn from(found: &Difference) -> Self {
+        Self {
+            time: found.time,
+            text: found.to_string(),
+        }
+    }
 }

@@ -12,7 +12,7 @@ use super::{Arguments, watched};
 use crate::cli::draw::{Panel, Story, picture};
 use crate::cli::error::Error;
 use crate::cli::motion::Motion;
-use crate::cli::replay::{self, Pane};
+use crate::cli::replay::{Pane, Replay};
 
 /// The scene, with only as many frames as it takes to get to a time.
 fn up_to(scene: &Scene, time: f64) -> Scene {
@@ -83,19 +83,19 @@ impl Arguments {
     ) -> Result<String, Error> {
         let pane = Pane::new(scene, algorithm, outcome);
         if algorithm == Algorithm::Timeline && S::NAME == Exact::NAME {
-            return Ok(replay::page(scene, &[pane]));
+            return Ok(Replay::of(pane).page(scene));
         }
         let unsupported = |reason| self.unsupported(reason);
         let truth = watched::<Exact>(scene, Algorithm::Timeline, options).map_err(unsupported)?;
         let truth = Pane::new(scene, Algorithm::Timeline, &truth);
         // Frames are judged by the usual rule.
         if options.simultaneous != Simultaneous::default() {
-            return Ok(replay::page(scene, &[pane, truth]));
+            return Ok(Replay::beside(pane, truth).page(scene));
         }
         let part = up_to(scene, outcome.time.to_f64());
         let judged = judge::<S>(&part, algorithm, options.frame_broad_phase, &options.budget);
         let judged = judged.map_err(unsupported)?;
         let pane = pane.with_faults(&judged.faults, [judged.frames, judged.undecided]);
-        Ok(replay::page(scene, &[pane, truth]))
+        Ok(Replay::beside(pane, truth).page(scene))
     }
 }

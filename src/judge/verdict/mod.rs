@@ -116,6 +116,11 @@ impl<'a> Reference<'a> {
         &self.outcome.impacts
     }
 
+    /// The exact run.
+    pub fn outcome(&self) -> &Outcome<Exact> {
+        &self.outcome
+    }
+
     /// How the exact run ended; only up to there is anything known.
     pub fn status(&self) -> &Status {
         &self.outcome.status

@@ -26,7 +26,7 @@ use super::units::duration;
 use super::{Comparison, table1};
 use crate::cli::choice::AlgorithmName;
 use crate::cli::html;
-use crate::cli::replay::{self, Pane};
+use crate::cli::replay::{self, Replay};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -36,7 +36,7 @@ pub(super) struct Study {
     sweeps: Vec<Sweep>,
     growth: Option<Growth>,
     /// A candidate and the truth, to be played; none of a periodic scene.
-    replay: Option<[Pane; 2]>,
+    replay: Option<Replay>,
 }
 
 impl Study {
@@ -63,13 +63,14 @@ impl Study {
 
 /// The candidate that is played beside the truth: the first of the paper's multiple
 /// collision algorithm, or else of all.
-fn played(comparison: &Comparison, budget: &Budget) -> Option<[Pane; 2]> {
+fn played(comparison: &Comparison, budget: &Budget) -> Option<Replay> {
     let Comparison { scene, rows, .. } = comparison;
     let is_multiple = |row: &&Row| matches!(row.candidate.algorithm, Algorithm::Multiple(_));
     let row = rows.iter().find(is_multiple).or(rows.first())?;
     let pane = row.candidate.pane(scene, budget)?;
     let pane = pane.with_faults(&row.faults, [row.frames, row.undecided]);
-    Some([pane, Candidate::TRUTH.pane(scene, budget)?])
+    let truth = Candidate::TRUTH.pane(scene, budget)?;
+    Some(Replay::beside(pane, truth))
 }
 
 /// The page that shows comparisons, each with its study.
@@ -134,7 +135,7 @@ fn section(comparison: &Comparison, study: &Study) -> Markup {
             (figures::parts(rows))
             (figures::sweeps(&study.sweeps, study.frames, frame.count))
             @if let Some(growth) = &study.growth { (figures::growth(growth)) }
-            @if let Some(panes) = &study.replay { h3 { "Replay" } (replay::part(scene, panes)) }
+            @if let Some(replay) = &study.replay { h3 { "Replay" } (replay.part(scene)) }
         }
     }
 }
