@@ -107,7 +107,12 @@ fn no_two_results_go_to_one_file() {
 fn replay(arguments: &[&str]) -> Value {
     let text = results(&[&["run"], arguments, &["--html", "-"]].concat());
     assert!(!text.contains("http"), "it takes nothing from elsewhere");
-    let data = text
+    replay_data(&text)
+}
+
+/// The data of the replay on a page.
+pub(super) fn replay_data(page: &str) -> Value {
+    let data = page
         .split("type=\"application/json\">")
         .nth(1)
         .expect("data");

@@ -144,3 +144,26 @@ fn what_is_no_log_of_the_scene_is_refused() {
         "{message}"
     );
 }
+
+/// The truth at 6 is at the left wall; the log goes on at the right one, which it has met
+/// last, and so only tells of that again.
+#[test]
+fn a_replay_marks_the_first_difference() {
+    let (page, status) = check(WRONG, &["--html", "-"]);
+    assert_eq!(status, 1);
+    let data = drawing::replay_data(&page);
+    assert_eq!(data["difference"]["time"], 6.0);
+    let faults = data["panes"][0]["faults"].as_array().expect("faults");
+    let told = faults.iter().map(|fault| {
+        let place = fault["places"][0][1].as_f64().expect("a number");
+        (fault["kind"].as_str(), fault["time"].as_f64(), place)
+    });
+    assert_eq!(
+        told.collect::<Vec<_>>(),
+        [(Some("missed"), Some(6.0), -2.0)]
+    );
+    let (page, status) = check(RIGHT, &["--html", "-"]);
+    let data = drawing::replay_data(&page);
+    assert_eq!((status, &data["difference"]), (0, &Value::Null));
+    assert!(page.contains("The log has the true impacts"), "{page}");
+}
