@@ -54,6 +54,10 @@ pub(super) struct Arguments {
     /// The time at which the truth ends, instead of that of the scene.
     #[arg(long, value_name = "T", value_parser = choice::duration, allow_negative_numbers = true)]
     until: Option<Number>,
+    /// The number of true impacts after which nothing more is judged.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000,
+        value_parser = clap::value_parser!(u64).range(1..))]
+    max_events: u64,
     /// How the truth resolves simultaneous impacts that share a disc.
     #[arg(long, value_name = "RULE", value_enum, default_value = "sequential")]
     simultaneous: Rule,
@@ -105,7 +109,7 @@ impl Arguments {
     fn options(&self) -> Options {
         Options {
             until: self.until.clone(),
-            max_events: u64::MAX,
+            max_events: self.max_events,
             budget: self.budget.budget(),
             digits: proven_digits(MIN_DIGITS),
             simultaneous: self.simultaneous.simultaneous(),
