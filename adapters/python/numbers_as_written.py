@@ -7,7 +7,7 @@ import re
 from fractions import Fraction
 
 #: No number is longer, as in carom.
-MAX_LENGTH = 10_000
+MAX_LENGTH = 16_384
 
 #: A power beyond which no text of that length is a binary64 number other than zero.
 MAX_POWER = 4 * MAX_LENGTH + 2_000

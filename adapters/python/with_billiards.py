@@ -87,10 +87,12 @@ def both(wall):
 
 
 def check_side(disc, wall, a, b):
-    """Refuses a disc across the line of a wall: the engine's walls let it through."""
+    """Refuses a disc across the line of a wall beyond its ends: it may meet an end, but
+    the engine's walls let through what lies across them."""
     (x, y), (dx, dy) = minus(disc.position, wall.start), minus(wall.end, wall.start)
-    if abs(dx * y - dy * x) < ACROSS * disc.radius * math.hypot(dx, dy):
-        raise Refused(f"{a} lies across the line of {b} at the start")
+    is_across = abs(dx * y - dy * x) < ACROSS * disc.radius * math.hypot(dx, dy)
+    if is_across and not has_foot(wall, disc.position):
+        raise Refused(f"{a} lies across the line of {b} at the start, beyond its ends")
 
 
 def check_masses(scene, one, other):

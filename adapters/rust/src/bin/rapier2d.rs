@@ -13,14 +13,18 @@ const USAGE: &str = "usage: rapier2d [OPTION VALUE]…
   --max-step S      no step is longer (default 1/60, 0.01666…)
   --length-unit L   the engine's length_unit (default: the mean diameter of the scene's discs)
   --ccd-substeps N  the engine's max_ccd_substeps (default 1, as in the engine; 0: no CCD)
+  --recycling B     the engine's contact_recycling (default true, as in the engine)
+  --prediction D    the engine's normalized_prediction_distance (default 0.02, as in the engine)
   --report WHAT     started: collision events that start (default);
                     impulse: contacts that push and did not in the step before";
 
-const OPTIONS: [&str; 5] = [
+const OPTIONS: [&str; 7] = [
     "substeps",
     "max-step",
     "length-unit",
     "ccd-substeps",
+    "recycling",
+    "prediction",
     "report",
 ];
 
@@ -30,17 +34,22 @@ fn main() -> std::io::Result<()> {
         substeps: options.get("substeps").unwrap_or(10),
         longest: options.get("max-step").unwrap_or(1.0 / 60.0),
         length_unit: options.get("length-unit"),
-        ccd_substeps: options.get("ccd-substeps").unwrap_or(1),
+        ccd_substeps: options.get("ccd-substeps"),
+        recycling: options.get("recycling"),
+        prediction: options.get("prediction"),
         report: options.get("report").unwrap_or(Report::Started),
     })
 }
 
-/// How the engine is run.
+/// How the engine is run. What is not given is left as the engine has it, except for the
+/// unit of length.
 struct Rapier {
     substeps: u64,
     longest: f64,
     length_unit: Option<f64>,
-    ccd_substeps: usize,
+    ccd_substeps: Option<usize>,
+    recycling: Option<bool>,
+    prediction: Option<f64>,
     report: Report,
 }
 
@@ -108,12 +117,23 @@ fn one_coefficient(restitution: &Restitution) -> Result<f64, String> {
 }
 
 impl Rapier {
+    fn set(&self, parameters: &mut IntegrationParameters, diameter: f64) {
+        parameters.length_unit = self.length_unit.unwrap_or(diameter);
+        if let Some(substeps) = self.ccd_substeps {
+            parameters.max_ccd_substeps = substeps;
+        }
+        if let Some(recycling) = self.recycling {
+            parameters.contact_recycling = recycling;
+        }
+        if let Some(distance) = self.prediction {
+            parameters.normalized_prediction_distance = distance;
+        }
+    }
+
     fn fill(&self, scene: &Plain, restitution: f64) -> PhysicsWorld {
         let mut world = PhysicsWorld::new();
         world.gravity = scene.gravity.map_or(Vector::ZERO, vector);
-        world.integration_parameters.max_ccd_substeps = self.ccd_substeps;
-        world.integration_parameters.length_unit =
-            self.length_unit.unwrap_or_else(|| mean_diameter(scene));
+        self.set(&mut world.integration_parameters, mean_diameter(scene));
         let finish = |collider: ColliderBuilder, name| {
             let elastic = collider.restitution(restitution).friction(0.0);
             let elastic = elastic.restitution_combine_rule(CoefficientCombineRule::Max);
@@ -147,7 +167,10 @@ fn body(disc: &Disc) -> RigidBodyBuilder {
 
 fn mean_diameter(scene: &Plain) -> f64 {
     let radii = scene.discs.iter().map(|disc| disc.radius);
-    2.0 * radii.sum::<f64>() / scene.discs.len().max(1) as f64
+    match scene.discs.len() {
+        0 => 1.0,
+        count => 2.0 * radii.sum::<f64>() / count as f64,
+    }
 }
 
 fn vector([x, y]: [f64; 2]) -> Vector {
