@@ -90,6 +90,8 @@ def read_scene(value):
     if value["schema"] != "carom/scene/1":
         raise Refused(f"schema: expected carom/scene/1, found {value['schema']!r:.60}")
     duration, count = read_frame(value.get("frame", {}))
+    if math.isinf(duration * count):
+        raise Refused("frame: the end of the run is beyond binary64")
     return Scene(
         discs=[read_disc(item, at) for item, at in items(value["discs"], "discs")],
         walls=[read_wall(item, at) for item, at in items(value.get("walls", []), "walls")],

@@ -6,7 +6,7 @@ import math
 from scene import Refused
 
 #: A run of more steps is refused.
-MOST_STEPS = 10_000_000
+MOST_STEPS = 1_000_000
 
 
 def add_options(parser: argparse.ArgumentParser):

@@ -87,6 +87,7 @@ class Protocol(unittest.TestCase):
             (scene(walls=[{"from": [0, 0], "to": [0, "0/7"]}]), "walls[0]"),
             (scene(frame={"count": 0}), "frame.count"),
             (scene(frame={"duration": 0}), "frame.duration"),
+            (scene(frame={"duration": 1e308, "count": 2}), "frame"),
             (scene(effects={"wind": 1}), "wind"),
             (scene(effects={"restitution": {"other": 1}}), "other"),
         ]

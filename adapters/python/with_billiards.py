@@ -15,7 +15,7 @@ from protocol import is_wall, pair, serve
 from scene import Refused
 
 #: A run with more impacts is refused.
-MOST_IMPACTS = 1_000_000
+MOST_IMPACTS = 100_000
 
 #: A disc that is nearer to a wall's line than this part of its radius lies across it.
 ACROSS = 1 - 1e-9

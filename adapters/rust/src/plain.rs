@@ -4,7 +4,7 @@ use carom::scalar::Number;
 use carom::scene::{Mass, Scene};
 
 /// A run of more steps is refused.
-const MOST_STEPS: f64 = 1e7;
+const MOST_STEPS: f64 = 1e6;
 
 /// A scene with every number rounded to binary64, or left out where no engine here has it.
 #[derive(Clone, Debug)]
@@ -68,14 +68,18 @@ impl Plain {
         if scene.effects().drag.is_some() {
             return Err(String::from("the engine has no linear drag"));
         }
-        Ok(Self {
+        let scene = Self {
             discs: scene.discs().iter().map(disc).collect::<Result<_, _>>()?,
             walls: scene.walls().iter().map(wall).collect::<Result<_, _>>()?,
             frame: positive(&scene.frame().duration)?,
             count: scene.frame().count,
             restitution: restitution(&scene.effects().restitution)?,
             gravity: scene.effects().gravity.as_ref().map(point).transpose()?,
-        })
+        };
+        match scene.until().is_finite() {
+            true => Ok(scene),
+            false => Err(String::from("the end of the run is beyond binary64")),
+        }
     }
 
     /// When the run ends.
@@ -175,7 +179,7 @@ mod tests {
             let steps = scene.steps(4, longest).expect("few steps");
             assert_eq!((steps.length, steps.count), (length, count));
         }
-        assert!(scene.steps(4_000_000, 1.0).is_err());
+        assert!(scene.steps(400_000, 1.0).is_err());
         assert!(scene.steps(4, 0.0).is_err());
     }
 
@@ -188,5 +192,7 @@ mod tests {
         assert_eq!(disc("1/3").expect("a number").discs[0].radius, 1.0 / 3.0);
         assert!(disc("1e999").is_err());
         assert!(disc("1e-999").is_err());
+        let endless = Scene::builder("endless").frame("1e308", 2);
+        assert!(Plain::new(&endless.build().expect("a scene")).is_err());
     }
 }

@@ -194,3 +194,21 @@ fn parry2d_has_newtons_law_and_infinite_masses() {
     assert_impacts(&answers[0], &[(1.0, "d0", "w0"), (3.0, "d0", "w1")], 1e-12);
     assert_impacts(&answers[1], &[], 0.0);
 }
+
+/// Sizes whose squares binary64 does not have: an error, and no miss.
+#[test]
+fn parry2d_tells_of_times_that_are_none() {
+    let mut huge = head_on();
+    for disc in huge["discs"].as_array_mut().expect("discs") {
+        disc["radius"] = json!("0x1p400");
+    }
+    huge["discs"][0]["velocity"] = json!(["0x1p400", 0]);
+    huge["discs"][1]["position"] = json!(["0x3p400", 0]);
+    let answers = ask(
+        env!("CARGO_BIN_EXE_parry2d"),
+        &[simulate(1, huge.clone()), first_of(2, &huge)],
+    );
+    for answer in &answers {
+        assert!(answer["error"]["reason"].is_string(), "{answer}");
+    }
+}

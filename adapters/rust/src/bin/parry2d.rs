@@ -10,12 +10,12 @@ use parry2d_f64::query::{ShapeCastOptions, cast_shapes};
 use parry2d_f64::shape::{Ball, Segment};
 
 const USAGE: &str = "usage: parry2d [OPTION VALUE]…
-  --max-impacts N   a run with more is refused (default 1000000)";
+  --max-impacts N   a run with more is refused (default 100000)";
 
 fn main() -> std::io::Result<()> {
     let options = Options::of_program(USAGE, &["max-impacts"]);
     serve(&mut Parry {
-        max_impacts: options.get("max-impacts").unwrap_or(1_000_000),
+        max_impacts: options.get("max-impacts").unwrap_or(100_000),
     })
 }
 
@@ -31,14 +31,14 @@ impl Engine for Parry {
         let mut run = Run::new(scene)?;
         let mut impacts = Vec::new();
         while let Some((time, i, other)) = run.earliest() {
+            if impacts.len() == self.max_impacts {
+                return Err(format!("more than {} impacts", self.max_impacts));
+            }
             if run.collide(time, i, other)? {
                 impacts.push(match other {
                     Other::Disc(j) => Impact::of_discs(time, i, j),
                     Other::Wall(j) => Impact::with_wall(time, i, j),
                 });
-            }
-            if impacts.len() > self.max_impacts {
-                return Err(format!("more than {} impacts", self.max_impacts));
             }
         }
         Ok(impacts)
@@ -179,13 +179,13 @@ impl<'a> Run<'a> {
             let other = self.discs[j].at(now);
             let (low, high) = (i.min(j), i.max(j));
             self.forecasts[high][low] = match disc.lightness + other.lightness > 0.0 {
-                true => later(now, of_discs(&disc, &other)?),
+                true => later(now, of_discs(&disc, &other)?)?,
                 false => f64::INFINITY,
             };
         }
         for (j, wall) in self.walls.iter().enumerate() {
             self.forecasts[i][i + j] = match disc.lightness > 0.0 {
-                true => later(now, with_wall(&disc, wall)?),
+                true => later(now, with_wall(&disc, wall)?)?,
                 false => f64::INFINITY,
             };
         }
@@ -255,8 +255,12 @@ impl<'a> Run<'a> {
     }
 }
 
-fn later(now: f64, wait: Option<f64>) -> f64 {
-    wait.map_or(f64::INFINITY, |wait| now + wait)
+fn later(now: f64, wait: Option<f64>) -> Result<f64, String> {
+    match wait {
+        None => Ok(f64::INFINITY),
+        Some(wait) if wait.is_finite() => Ok(now + wait),
+        Some(_) => Err(String::from("the engine's time is not finite")),
+    }
 }
 
 /// The point of a wall that is nearest to a disc, as a body that stands.
