@@ -78,7 +78,8 @@ def body_of(disc):
     if disc.is_fixed:
         body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
     else:
-        body = pymunk.Body(disc.mass, pymunk.moment_for_circle(disc.mass, 0, disc.radius))
+        # Without friction nothing turns, so that the moment is of no account.
+        body = pymunk.Body(disc.mass, math.inf)
     body.position, body.velocity = disc.position, disc.velocity
     return body
 
