@@ -71,7 +71,8 @@ def answers(command, asked):
         json.dumps({"id": number, "request": "first-impact", "a": a, "b": b})
         for number, (a, b) in enumerate(asked)
     ]
-    run = subprocess.run(command, input="\n".join(lines), capture_output=True, text=True, check=True)
+    text = "\n".join(lines)
+    run = subprocess.run(command, input=text, capture_output=True, text=True, check=True)
     found = [json.loads(line) for line in run.stdout.splitlines()]
     assert [answer["id"] for answer in found] == list(range(len(asked)))
     return found
@@ -90,7 +91,8 @@ def show(name, truth, said):
         if true["class"] == word == "hit"
     ]
     if errors:
-        print(f"    error of the time, relative: median {median(errors):.1e}, largest {max(errors):.1e}")
+        told = f"median {median(errors):.1e}, largest {max(errors):.1e}"
+        print(f"    error of the time, relative: {told}")
 
 
 if __name__ == "__main__":

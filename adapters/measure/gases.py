@@ -43,7 +43,8 @@ def runs(command, scenes):
         json.dumps({"id": number, "request": "simulate", "scene": scene})
         for number, scene in enumerate(scenes)
     ]
-    run = subprocess.run(command, input="\n".join(lines), capture_output=True, text=True, check=True)
+    text = "\n".join(lines)
+    run = subprocess.run(command, input=text, capture_output=True, text=True, check=True)
     return [json.loads(line)["events"] for line in run.stdout.splitlines()]
 
 

@@ -143,7 +143,9 @@ class Engines(unittest.TestCase):
         wall = [{"from": [3, -1], "to": [3, 1]}]
         beyond = scene([disc([0, "3/2"], [1, 0])], 3, walls=wall)
         across = scene([disc([3, 5], [1, 0])], 3, walls=wall)
-        for answer in simulate("billiards", beyond, across) + first_impacts("billiards", beyond, across):
+        answers = simulate("billiards", beyond, across)
+        answers += first_impacts("billiards", beyond, across)
+        for answer in answers:
             self.assertIn("the line of", answer["error"]["reason"])
 
     def test_billiards_refuses_what_it_has_not(self):

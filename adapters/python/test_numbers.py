@@ -46,7 +46,8 @@ class Numbers(unittest.TestCase):
 
     def test_what_is_no_number(self):
         bad = ["", "+", ".", "1/0", "1/", "/2", "1/-2", "0x", "0xg", "1e", "1e+", "nan", "inf"]
-        bad += ["Infinity", " 1", "1 ", "1\n", "1_0", "١", "--1", "1.5/2", "0x1p", "1p3", "9" * 20000]
+        bad += ["Infinity", " 1", "1 ", "1\n", "1_0", "١", "--1", "1.5/2", "0x1p", "1p3"]
+        bad += ["9" * 20000]
         bad += ["1e400", "-1e400", "1e999999999999", "0x1p1024", 10**400, json.loads("1e400")]
         bad += [None, True, [], {}, float("nan")]
         for written in bad:

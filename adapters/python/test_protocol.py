@@ -62,9 +62,11 @@ class Protocol(unittest.TestCase):
         self.assertEqual(refused, {"id": ["x"], "error": {"reason": "no infinite masses"}})
 
     def test_bad_lines_have_answers_in_order(self):
-        lines = [b"{", b"\xff", b"[]", b"[" * 100_000, b'{"id": NaN}', b'{"id": 1e999}', b"", b" \n"]
+        lines = [b"{", b"\xff", b"[]", b"[" * 100_000, b'{"id": NaN}', b'{"id": 1e999}']
+        lines += [b"", b" \n"]
         lines += [{"id": 1, "request": "guess"}, {"id": 2, "request": "simulate"}]
-        lines += [{"id": 3, "request": "simulate", "scene": {"schema": "carom/scene/1", "discs": []}}]
+        empty = {"schema": "carom/scene/1", "discs": []}
+        lines += [{"id": 3, "request": "simulate", "scene": empty}]
         lines += [simulate(scene())]
         found = answers(*lines)
         self.assertEqual([answer["id"] for answer in found], [None] * 6 + [1, 2, 3, 1])
