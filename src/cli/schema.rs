@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use super::error::Error;
 use super::exit::Exit;
 use super::output::{Output, standard};
+use super::vectors;
 
 /// Print the JSON Schema of a format.
 #[derive(Debug, clap::Args)]
@@ -26,6 +27,8 @@ enum Format {
     State,
     /// Judgements, carom/verdict/1.
     Verdict,
+    /// Files of test vectors, carom/vectors/1.
+    Vectors,
 }
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
@@ -34,6 +37,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
         Format::Events => events_schema(),
         Format::State => state_schema(),
         Format::Verdict => verdict_schema(),
+        Format::Vectors => vectors::schema(),
     };
     Output::open(&standard())?.write_text(&schema)?;
     Ok(Exit::Success)
