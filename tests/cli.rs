@@ -132,6 +132,9 @@ mod drawing;
 #[path = "cli/judging.rs"]
 mod judging;
 
+#[path = "cli/vectors.rs"]
+mod vectors;
+
 #[cfg(unix)]
 #[path = "cli/campaigning.rs"]
 mod campaigning;

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use carom::scalar::{Number, NumberError};
 use carom::scene::generate::{
-    MAX_POWER, MAX_ROWS, Rack, break_shot, corner, cradle, galperin, gas, mirror, periodic_gas,
-    ring, table1, transformed,
+    Family, MAX_POWER, MAX_ROWS, Rack, break_shot, corner, cradle, galperin, gas, mirror,
+    periodic_gas, ring, scene_of, table1, transformed,
 };
 use carom::scene::{Scene, SceneError};
 use clap::Subcommand;
@@ -186,6 +186,18 @@ enum Kind {
         )]
         wedge: Point,
     },
+    /// A small scene of one kind of difficulty.
+    #[command(after_help = "Example:\n  carom generate family near-graze --index 3")]
+    Family {
+        #[arg(help = format!("One of {}", Family::ALL.map(Family::name).join(", ")))]
+        name: Family,
+        /// The seed of all scenes.
+        #[arg(long, default_value_t = 42)]
+        seed: u64,
+        /// The number of the scene, from 0 on.
+        #[arg(long, default_value_t = 0)]
+        index: u64,
+    },
 }
 
 impl Kind {
@@ -212,6 +224,7 @@ impl Kind {
                 packing,
             } => mirror(*seed, *count, *packing),
             Self::Corner { wedge } => corner(wedge),
+            Self::Family { name, seed, index } => scene_of(*name, *seed, *index),
         }
     }
 }

@@ -23,8 +23,10 @@ mod progress;
 mod replay;
 mod run;
 mod schema;
+mod time;
 mod trace;
 mod validate;
+mod vectors;
 
 use std::process::ExitCode;
 
@@ -58,6 +60,7 @@ enum Command {
     Validate(validate::Arguments),
     Generate(generate::Arguments),
     FuzzCheck(fuzz_check::Arguments),
+    Vectors(vectors::Arguments),
     Schema(schema::Arguments),
 }
 
@@ -86,6 +89,7 @@ impl Command {
             Self::Validate(arguments) => Ok(validate::execute(arguments)),
             Self::Generate(arguments) => generate::execute(arguments),
             Self::FuzzCheck(arguments) => fuzz_check::execute(arguments),
+            Self::Vectors(arguments) => vectors::execute(arguments),
             Self::Schema(arguments) => schema::execute(arguments),
         }
     }

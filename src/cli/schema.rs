@@ -8,6 +8,7 @@ use super::campaign;
 use super::error::Error;
 use super::exit::Exit;
 use super::output::{Output, standard};
+use super::vectors;
 
 /// Print the JSON Schema of a format.
 #[derive(Debug, clap::Args)]
@@ -29,6 +30,8 @@ enum Format {
     Verdict,
     /// Summaries of campaigns, carom/campaign/1.
     Campaign,
+    /// Files of test vectors, carom/vectors/1.
+    Vectors,
 }
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
@@ -38,6 +41,7 @@ pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
         Format::State => state_schema(),
         Format::Verdict => verdict_schema(),
         Format::Campaign => campaign::schema(),
+        Format::Vectors => vectors::schema(),
     };
     Output::open(&standard())?.write_text(&schema)?;
     Ok(Exit::Success)

@@ -43,6 +43,7 @@ use stadium::Stadium;
     derive(serde::Serialize),
     serde(rename_all = "kebab-case")
 )]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 pub enum Class {
     /// They do not meet.
     Miss,

@@ -117,6 +117,16 @@ impl Number {
         }
     }
 
+    /// The same number, written as a binary64 number if it is one.
+    #[must_use]
+    pub fn in_binary64(self) -> Self {
+        let rounded = self.to_f64();
+        match BigRational::from_float(rounded) {
+            Some(exact) if exact == self.to_rational() => Self(Repr::Binary64(rounded)),
+            _ => self,
+        }
+    }
+
     /// The nearest binary64 numbers below and above, which are equal if the
     /// number is itself one.
     pub(super) fn hull(&self) -> Interval {
@@ -334,6 +344,16 @@ mod tests {
         assert_ne!(written("0.5"), Number::try_from(0.5).unwrap());
         assert_eq!(Number::from(3), Number::from(3_i64));
         assert_eq!(Number::from(3), written("3"));
+    }
+
+    #[test]
+    fn what_is_a_binary64_can_be_written_as_one() {
+        let written = |text: &str| text.parse::<Number>().unwrap().in_binary64();
+        assert_eq!(written("-3/4").as_binary64(), Some(-0.75));
+        assert_eq!(written("0").as_binary64(), Some(0.0));
+        for text in ["1/3", "0x1.00000000000008p0", "1e400"] {
+            assert_eq!(written(text), text.parse().unwrap());
+        }
     }
 
     #[test]

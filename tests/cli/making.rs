@@ -2,7 +2,8 @@
 
 use carom::scalar::Number;
 use carom::scene::generate::{
-    Rack, break_shot, corner, cradle, galperin, gas, mirror, ring, table1, transformed,
+    Family, Rack, break_shot, corner, cradle, galperin, gas, mirror, ring, scene_of, table1,
+    transformed,
 };
 
 use super::*;
@@ -13,7 +14,7 @@ fn number(text: &str) -> Number {
 
 #[test]
 fn generators_have_their_parameters() {
-    let table: [(&[&str], _); 14] = [
+    let table: [(&[&str], _); 16] = [
         (&["table1"], table1(42, &number("1"))),
         (
             &["table1", "--seed", "7", "--scale", "0.33"],
@@ -46,6 +47,11 @@ fn generators_have_their_parameters() {
             corner(&["-3/5", "4/5"].map(number)),
         ),
         (&["gas"], gas(42, 100, 0.3)),
+        (&["family", "near-tie"], scene_of(Family::NearTie, 42, 0)),
+        (
+            &["family", "bullets", "--seed", "7", "--index", "3"],
+            scene_of(Family::Bullets, 7, 3),
+        ),
     ];
     for (arguments, expected) in table {
         let text = results(&[&["generate"], arguments].concat());

@@ -182,7 +182,7 @@ fn whoever_reads_only_the_first_line_breaks_nothing() {
 
 #[test]
 fn the_committed_schemas_are_fresh() {
-    for format in ["scene", "events", "state", "verdict", "campaign"] {
+    for format in ["scene", "events", "state", "verdict", "campaign", "vectors"] {
         let file = repository().join(format!("schema/{format}.schema.json"));
         let committed = fs::read_to_string(file).expect("the schema");
         assert!(

@@ -221,12 +221,11 @@ fn corners_have_ends_and_ties() {
         .iter()
         .filter(|run| run.iter().any(|impact| impact.tie.is_some()));
     assert!(ties.count() >= 2);
-    let walls = |run: &[Impact<Exact>]| {
+    let meets_walls = |run: &[Impact<Exact>]| {
         run.iter()
-            .filter(|impact| matches!(impact.pair.b, BodyId::Wall(_)))
-            .count()
+            .any(|impact| matches!(impact.pair.b, BodyId::Wall(_)))
     };
-    assert!(runs.iter().filter(|run| walls(run) >= 2).count() >= 10);
+    assert!(runs.iter().filter(|run| meets_walls(run)).count() >= 25);
 }
 
 #[test]

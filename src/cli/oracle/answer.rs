@@ -6,7 +6,7 @@ use carom::arithmetic::Arithmetic;
 use carom::body::End;
 use carom::first_impact::{Class, FirstImpact, of_disc_and_wall, of_discs};
 use carom::judge::Reference;
-use carom::log::{Bounds, Event, Header, Judgement, MIN_DIGITS, Recorder, Summary, proven_digits};
+use carom::log::{Event, Header, Judgement, MIN_DIGITS, Recorder, Summary, proven_digits};
 use carom::run::{Options, run};
 use carom::scalar::{Exact, Filtered};
 use carom::scene::Scene;
@@ -18,6 +18,7 @@ use super::Method;
 use super::request::{Kind, Request};
 use crate::cli::check;
 use crate::cli::choice::ArithmeticName;
+use crate::cli::time::Time;
 
 /// An answer, and to which question.
 #[derive(Serialize)]
@@ -45,22 +46,6 @@ pub(super) struct Met {
     time: Option<Time>,
     #[serde(skip_serializing_if = "Option::is_none")]
     end: Option<End>,
-}
-
-/// A time in closed form, and its bounds.
-#[derive(Serialize)]
-struct Time {
-    exact: Form,
-    #[serde(flatten)]
-    bounds: Bounds,
-}
-
-/// The time p + q √d.
-#[derive(Serialize)]
-struct Form {
-    p: String,
-    q: String,
-    d: String,
 }
 
 /// A proven log.
@@ -203,14 +188,7 @@ impl From<FirstImpact> for Met {
         Self {
             class: met.class,
             end: met.end,
-            time: met.time.map(|time| Time {
-                bounds: Bounds::of_quadratic(&time, MIN_DIGITS),
-                exact: Form {
-                    p: time.p.to_string(),
-                    q: time.q.to_string(),
-                    d: time.d.to_string(),
-                },
-            }),
+            time: met.time.as_ref().map(Time::from),
         }
     }
 }

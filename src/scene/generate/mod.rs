@@ -30,6 +30,7 @@ pub use families::{Family, scene_of};
 pub use galperin::{MAX_POWER, galperin};
 pub use gas::{gas, periodic_gas};
 pub use mirror::mirror;
+pub use random::Random;
 pub use ring::ring;
 pub use table1::table1;
 pub use transform::transformed;

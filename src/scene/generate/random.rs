@@ -4,7 +4,9 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 
-pub(super) struct Random(ChaCha8Rng);
+/// Random numbers that are the same on every platform and with every version.
+#[derive(Clone, Debug)]
+pub struct Random(ChaCha8Rng);
 
 impl Random {
     pub(super) fn new(seed: u64) -> Self {
@@ -12,24 +14,24 @@ impl Random {
     }
 
     /// A stream of its own for each key.
-    pub(super) fn keyed(key: [u8; 32]) -> Self {
+    pub fn keyed(key: [u8; 32]) -> Self {
         Self(ChaCha8Rng::from_seed(key))
     }
 
-    /// One of the whole numbers from `low` to `high`, nearly evenly.
-    pub(super) fn whole(&mut self, low: i64, high: i64) -> i64 {
+    /// One of the whole numbers from `low` to `high`, both included, nearly evenly.
+    pub fn whole(&mut self, low: i64, high: i64) -> i64 {
         let count = high.abs_diff(low) + 1;
         let scaled = u128::from(self.0.next_u64()) * u128::from(count);
         low + (scaled >> u64::BITS) as i64
     }
 
-    /// One of some.
-    pub(super) fn one_of<T: Clone>(&mut self, choice: &[T]) -> T {
+    /// One of some, of which there must be one.
+    pub fn one_of<T: Clone>(&mut self, choice: &[T]) -> T {
         choice[self.whole(0, choice.len() as i64 - 1) as usize].clone()
     }
 
     /// True as often as false.
-    pub(super) fn coin(&mut self) -> bool {
+    pub fn coin(&mut self) -> bool {
         self.whole(0, 1) == 1
     }
 

@@ -39,22 +39,23 @@ fn straight(random: &mut Random) -> Result<SceneBuilder, SceneError> {
     Ok(SceneBuilder::from(corner(&[cos?, sin?])?))
 }
 
-/// Into a wedge from anywhere: both walls one after the other, more than once if it is
+/// Into a wedge, towards its tip or by it: both walls in turn, more than once if it is
 /// narrow.
+///
+/// The start is on the bisector, which goes along (1 + cos, sin), far enough out for the
+/// disc to be between the walls.
 fn wedge(random: &mut Random) -> SceneBuilder {
-    let [cos, sin, _] = random.one_of(&WEDGES);
-    // Far enough out along the bisector of any of them to be between the walls.
-    let [x, y] = [random.whole(9, 12), random.whole(5, 7)];
-    let start = match cos.signum() {
-        -1 => at(x - 9, x),
-        _ => [whole(2 * x), ratio(y * sin, cos.max(1) + sin)],
-    };
-    let velocity = [-random.whole(2, 4), -random.whole(0, 2)].map(|speed| ratio(speed, 1));
+    let [cos, sin, one] = random.one_of(&WEDGES);
+    let far = ratio(random.whole(5, 9) * 16 / one, 16);
+    let start = [one + cos, sin].map(|part| whole(part) * &far);
+    let velocity =
+        [0, 1].map(|axis: usize| ratio(random.whole(-2, 2), 4) - &start[axis] / whole(4));
+    let length = 24 / one + 4;
     Scene::builder("")
         .notes("A disc into a wedge.")
         .disc(disc(start, velocity, ratio(random.whole(2, 6), 4)))
         .wall([0, 0], [60, 0])
-        .wall([0, 0], [4 * cos, 4 * sin])
+        .wall([0, 0], [length * cos, length * sin])
         .frame(1, 16)
 }
 

@@ -14,12 +14,7 @@ pub(super) struct Written(pub(super) BigRational);
 
 impl IntoNumber for Written {
     fn into_number(self) -> Result<Number, NumberError> {
-        let exact = Number::try_from(self.0)?;
-        let rounded = Number::try_from(exact.to_f64());
-        Ok(rounded
-            .ok()
-            .filter(|rounded| rounded.to_rational() == exact.to_rational())
-            .unwrap_or(exact))
+        Number::try_from(self.0).map(Number::in_binary64)
     }
 }
 
