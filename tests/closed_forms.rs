@@ -16,6 +16,8 @@ mod figures;
 mod gravity;
 #[path = "closed_forms/grazes.rs"]
 mod grazes;
+#[path = "closed_forms/jams.rs"]
+mod jams;
 #[path = "closed_forms/losses.rs"]
 mod losses;
 #[path = "closed_forms/starts.rs"]

@@ -37,7 +37,7 @@ use crate::body::{Disc, Feature};
 use crate::impact::Impact;
 use crate::symmetry::Symmetry;
 use crate::world::{Obstacle, World};
-use accumulation::Watch;
+use accumulation::{Jams, Watch};
 use arbiter::Arbiter;
 pub use arbiter::Timed;
 use flight::Flights;
@@ -150,6 +150,8 @@ pub struct Timeline<S: Timed> {
     negligible: f64,
     /// What looks for accumulations, where there may be any.
     watch: Option<Watch<S>>,
+    /// What looks for discs that are stuck from the start.
+    jams: Jams,
 }
 
 impl<S: Timed> Timeline<S> {
@@ -196,6 +198,7 @@ impl<S: Timed> Timeline<S> {
             closest: f64::INFINITY,
             negligible: until.hull().hi() * NEGLIGIBLE,
             watch,
+            jams: Jams::default(),
         };
         for disc in 0..count {
             timeline.forecast_with(disc, Partners::Later, Effort::Bounds)?;

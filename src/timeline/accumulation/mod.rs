@@ -15,12 +15,14 @@
 //! nothing is proven. Three bodies on a line that do not collapse are never
 //! recognised.
 //!
-//! Scenes in which nothing can accumulate are not watched ([`can_accumulate`]).
+//! Scenes in which nothing can accumulate are not watched ([`can_accumulate`]), but for
+//! a disc that is stuck from the start ([`jam`]).
 //! With the paper's restitution only repetition is looked for: its impacts
 //! slow whole velocities, which no relative motion describes.
 
 mod alone;
 mod bounce;
+mod jam;
 mod planar;
 mod repetition;
 mod trio;
@@ -33,6 +35,7 @@ use crate::impact::Impact;
 use crate::kernel::Kernel;
 use crate::respond::Restitution;
 use crate::world::World;
+pub(super) use jam::Jams;
 use repetition::Repetition;
 use trio::Fate;
 
@@ -191,6 +194,10 @@ impl<S: Timed> Timeline<S> {
 
     /// Takes note of an impact, after which all is as the timeline says.
     pub(super) fn observe(&mut self, impact: &Impact<S>) {
+        if let Some(stuck) = self.jam(impact) {
+            self.watch = Some(Watch::ended(stuck));
+            return;
+        }
         let Some(mut watch) = self.watch.take() else {
             return;
         };
