@@ -187,3 +187,34 @@ fn binary64_is_not_blamed_for_chaos() {
     assert_eq!(steps.standing, Standing::Differs);
     assert!(steps.matched < timeline.matched / 2);
 }
+
+/// A ball meets a wall at 2, the run ends so many ulps of 2 later: a log without the impact
+/// may be right as far as binary64 can tell; as may one with it, where the run ends before.
+#[test]
+fn the_end_of_a_run_is_a_decision_of_its_own() {
+    let room = |ulps: f64| {
+        let end = 2.0 + ulps * 2.0 * f64::EPSILON;
+        let ball = Disc::at([0, 0], 1).velocity([1, 0]);
+        let room = Scene::builder("room").disc(ball).wall([3, -9], [3, 9]);
+        scene(room.frame(end, 1))
+    };
+    let hit = [met(0, BodyId::Wall(0), 2.0)];
+    let margin = |ulps: f64, log: &[Logged]| {
+        let verdict = judged(&room(ulps), log);
+        let Margin {
+            of, value, ulps, ..
+        } = verdict.margin.expect("a margin");
+        (verdict.standing, of, value / f64::EPSILON, ulps)
+    };
+    let end = Decision::End;
+    assert_eq!(margin(0.0, &[]), (Standing::Close, end, 0.0, 0.0));
+    assert_eq!(margin(1.0, &[]), (Standing::Close, end, 2.0, 1.0));
+    // Below 2 an ulp is half as long, and so the end is one that is a number.
+    assert_eq!(margin(-1.0, &hit), (Standing::Close, end, 2.0, 2.0));
+    for ulps in [-1024.0, 1024.0] {
+        let log = if ulps < 0.0 { &hit[..] } else { &[] };
+        let (standing, of, ..) = margin(ulps, log);
+        assert_eq!((standing, of), (Standing::Differs, end));
+    }
+    assert_eq!(judged(&room(0.0), &hit).standing, Standing::Follows);
+}

@@ -79,6 +79,7 @@ fn close(margin: &Margin) -> String {
     } = margin;
     let what = match margin.of {
         Decision::Order => "the two are apart in time",
+        Decision::End => "the impact is apart from the end of the run",
         Decision::Meeting => "the bodies miss or enter each other",
     };
     format!("{what} by {value:.3e}, {ulps:.3e} ulps; binary64 resolves {resolution:.1e} there")

@@ -26,7 +26,7 @@ pub struct Margin {
     /// What was decided.
     pub of: Decision,
     /// By how much: of an order the time between two impacts, of a meeting the length by
-    /// which two bodies pass, or would enter each other.
+    /// which two bodies pass, or would enter each other, of an end the time between.
     pub value: f64,
     /// The same in ulps of the time, or of the distance at which the two touch.
     pub ulps: f64,
@@ -47,6 +47,8 @@ pub enum Decision {
     Order,
     /// Whether two bodies meet.
     Meeting,
+    /// Whether an impact is before the end of the run.
+    End,
 }
 
 impl Margin {
@@ -69,6 +71,7 @@ impl Margin {
 /// The state in which a log takes another course than the truth.
 pub(super) struct Question<'a> {
     difference: &'a Difference,
+    end: f64,
     /// The bodies, and the time at which they are there; none where motion is not
     /// straight.
     state: Option<(World<Exact>, Exact)>,
@@ -89,6 +92,7 @@ impl<'a> Question<'a> {
             effects.gravity.is_none() && effects.drag.is_none() && scene.periodic().is_none();
         Self {
             difference,
+            end: end.to_f64(),
             state: is_straight
                 .then(|| state(scene, end, bits, difference))
                 .flatten(),
@@ -102,22 +106,37 @@ impl<'a> Question<'a> {
         } = *self.difference;
         let instead = candidate.and_then(|(pair, _)| self.instead(pair, truth, carry));
         let missed = truth.and_then(|(pair, _)| self.depth(pair, carry));
-        let margins = [instead, missed].into_iter().flatten();
+        let late = match candidate {
+            Some(_) => None,
+            None => truth.map(|(_, time)| self.apart(Decision::End, time, self.end, carry)),
+        };
+        let margins = [instead, missed, late].into_iter().flatten();
         margins.min_by(|one, other| one.closeness().total_cmp(&other.closeness()))
     }
 
     /// How close it was that a pair collides instead of another.
     fn instead(&self, pair: Pair, truth: Option<(Pair, f64)>, carry: &Carry) -> Option<Margin> {
         match (self.fate(pair)?, truth) {
-            (Fate::Meet(time), Some((_, first))) => Some(Margin {
-                of: Decision::Order,
-                value: (time - first).abs(),
-                ulps: (time - first).abs() / ulp(first),
-                resolution: carry.resolution(first),
-            }),
-            // It meets after the end, or what it says is no first impact.
+            (Fate::Meet(time), Some((_, first))) => {
+                Some(self.apart(Decision::Order, first, time, carry))
+            }
+            (Fate::Meet(time), None) if time >= self.end => {
+                Some(self.apart(Decision::End, self.end, time, carry))
+            }
+            // What it says is no first impact.
             (Fate::Meet(_), None) => None,
             (pass, _) => self.room(&pass, carry),
+        }
+    }
+
+    /// How close one time is to another.
+    fn apart(&self, of: Decision, first: f64, other: f64, carry: &Carry) -> Margin {
+        let value = (other - first).abs();
+        Margin {
+            of,
+            value,
+            ulps: value / ulp(first),
+            resolution: carry.resolution(first),
         }
     }
 
