@@ -5,7 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use carom::check::minimise_by;
+use carom::scalar::Filtered;
 use carom::scene::Scene;
+use carom::world::World;
 
 use super::outcome::{Class, Examiner, Outcome};
 use crate::cli::error::Error;
@@ -46,8 +48,10 @@ fn smaller(scene: &Scene, outcome: &Outcome, examiner: &mut Examiner<'_>) -> (Sc
     }
     let examiner = RefCell::new(examiner);
     let latest = RefCell::new(outcome.clone());
+    let overlapping = overlaps(scene);
     let small = minimise_by(scene, |smaller| {
-        if interrupt::is_interrupted() {
+        // A scene that starts otherwise would show something else.
+        if interrupt::is_interrupted() || overlaps(smaller) > overlapping {
             return false;
         }
         let found = examiner.borrow_mut().examine(smaller);
@@ -58,4 +62,12 @@ fn smaller(scene: &Scene, outcome: &Outcome, examiner: &mut Examiner<'_>) -> (Sc
         is_same
     });
     (small, latest.into_inner())
+}
+
+/// How many pairs overlap at the start, in the numbers of an engine that computes in
+/// binary64.
+fn overlaps(scene: &Scene) -> u64 {
+    let world = World::<Filtered>::new(scene, ());
+    let Ok(count) = world.count_overlaps();
+    count
 }
