@@ -218,3 +218,16 @@ fn the_end_of_a_run_is_a_decision_of_its_own() {
     }
     assert_eq!(judged(&room(0.0), &hit).standing, Standing::Follows);
 }
+
+/// Discs that move as one and touch do not collide, and a log that says so tells of what
+/// rounding makes of it. A billionth apart they do not either, and that can be told.
+#[test]
+fn discs_that_move_as_one_are_a_matter_of_convention() {
+    let standing = |gap: f64| {
+        let discs = [4.0, 6.0 + gap].map(|x| Disc::at([x, 0.0], 1).velocity([1, 0]));
+        let scene = scene(Scene::builder("as one").discs(discs).frame(1, 1));
+        judged(&scene, &[self::discs(0, 1, 0.5)]).standing
+    };
+    assert_eq!(standing(0.0), Standing::Tangent);
+    assert_eq!(standing(1e-9), Standing::Differs);
+}

@@ -283,15 +283,17 @@ fn crosses(disc: &Disc<Exact>, wall: &Segment<Exact>) -> bool {
     time > 0.0 && (0.0..=1.0).contains(&foot)
 }
 
-/// How a point that moves passes a circle about the origin, if it comes nearer: its least
+/// How a point passes a circle about the origin, if it comes nearer or rests: its least
 /// distance d from the origin, with d² = x² - (x·v)² / v², is off the radius R by
 /// (d² - R²) / 2R, as long as that is little.
 fn passage(offset: &Vec2<Exact>, velocity: &Vec2<Exact>, reach: &Exact) -> Option<Fate> {
     let (approach, squared) = (offset.dot(velocity), velocity.norm_squared());
-    if approach.sign().is_ok_and(Ordering::is_ge) {
-        return None;
-    }
-    let nearest = offset.norm_squared() - &(approach.square() / &squared);
+    let distance = offset.norm_squared();
+    let nearest = match (squared.sign(), approach.sign()) {
+        (Ok(Ordering::Equal), _) => distance,
+        (_, Ok(Ordering::Equal | Ordering::Greater)) => return None,
+        _ => distance - &(approach.square() / &squared),
+    };
     let double = reach.clone() + reach;
     let length = (nearest - &reach.square()) / &double;
     let is_open = length.sign().is_ok_and(Ordering::is_eq) || length.sign().is_err();
