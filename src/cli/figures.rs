@@ -1,6 +1,5 @@
 //! `carom figures`: the paper's figures, from real runs.
 
-use std::fs;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -16,7 +15,7 @@ use super::error::Error;
 use super::exit::Exit;
 use super::html;
 use super::motion::Motion;
-use super::output::Output;
+use super::output::{Output, make_directory};
 
 /// Draw the paper's figures 2 to 8 and its two timelines.
 ///
@@ -135,10 +134,7 @@ const FIGURES: [Figure; 9] = [
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let directory = &arguments.directory;
-    fs::create_dir_all(directory).map_err(|reason| Error::Unwritable {
-        file: directory.display().to_string(),
-        reason,
-    })?;
+    make_directory(directory)?;
     for figure in &FIGURES {
         let path = directory.join(format!("{}.svg", figure.name));
         Output::open(&path)?.write_text(&picture(&figure.panels()))?;

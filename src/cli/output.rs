@@ -1,6 +1,6 @@
 //! Where results go: files, or standard output.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -48,6 +48,14 @@ impl Output {
     pub(super) fn write_text(self, text: &str) -> Result<(), Error> {
         self.write(|writer| writer.write_all(text.as_bytes()))
     }
+}
+
+/// Makes a directory for results, unless it is there.
+pub(super) fn make_directory(path: &Path) -> Result<(), Error> {
+    fs::create_dir_all(path).map_err(|reason| Error::Unwritable {
+        file: path.display().to_string(),
+        reason,
+    })
 }
 
 /// Whether all results go to places of their own: a file holds one, and so does standard

@@ -191,7 +191,7 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
             Some(truth) => {
                 let compared = FrameComparison::new(&truth.impacts, &found.impacts);
                 self.judged.faults.extend(compared.faults());
-                self.judged.tally += found.tally(&truth);
+                self.judged.tally += found.tally(&truth, compared.tally());
                 self.split(start, &truth, &found)?;
             }
             None => self.judged.undecided += 1,
@@ -281,8 +281,8 @@ impl<'a, S: Arithmetic> Trial<'a, S> {
         let exact = self.decide(|bits| self.exact_frame(start, bits))?;
         match (exact, &mut self.judged.split) {
             (Some(exact), Some(split)) => {
-                split.rounding += found.tally(&exact);
-                split.algorithm += Found::from(exact).tally(truth);
+                split.rounding += found.judged(&exact);
+                split.algorithm += Found::from(exact).judged(truth);
             }
             (None, Some(split)) => split.undecided += 1,
             (_, None) => {}
@@ -338,7 +338,12 @@ impl From<Truth> for Found {
 }
 
 impl Found {
-    fn tally(&self, truth: &Truth) -> Tally {
+    fn judged(&self, truth: &Truth) -> Tally {
+        self.tally(truth, compare_frame(&truth.impacts, &self.impacts))
+    }
+
+    /// What is counted of the impacts, with the errors at the end.
+    fn tally(&self, truth: &Truth, impacts: Tally) -> Tally {
         let places = self.end.places.iter().zip(&truth.end);
         let distances = places.map(|(place, truth)| distance(place, truth));
         Tally {
@@ -346,7 +351,7 @@ impl Found {
             energy_error: relative_error(self.end.energy, truth.energy),
             overlaps: self.end.overlaps.count,
             overlap_depth: self.end.overlaps.depth,
-            ..compare_frame(&truth.impacts, &self.impacts)
+            ..impacts
         }
     }
 }

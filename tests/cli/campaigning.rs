@@ -153,6 +153,13 @@ fn a_campaign_goes_on_where_it_was_left() {
         status == 2 && message.contains("of another campaign"),
         "{message}"
     );
+    // What is no file of a campaign stays as it is, with its last line.
+    scratch.write("out/outcomes.jsonl", "my own");
+    let (status, _) = ending(&["campaign", "--impl", &command, "--output", &output]);
+    assert_eq!(
+        (status, scratch.read("out/outcomes.jsonl").as_str()),
+        (2, "my own")
+    );
 }
 
 #[test]

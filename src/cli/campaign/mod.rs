@@ -9,7 +9,6 @@ mod store;
 mod summary;
 
 use std::collections::HashMap;
-use std::fs;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::thread;
@@ -22,7 +21,7 @@ use carom::scene::generate::Family;
 use super::error::{self, Error};
 use super::exit::Exit;
 use super::interrupt;
-use super::output::{Output, is_standard, standard};
+use super::output::{Output, is_standard, make_directory, standard};
 use super::progress;
 use foreign::Foreign;
 use known::Known;
@@ -39,8 +38,8 @@ const TOLD: usize = 20;
 /// The program answers on standard output what it is asked on standard input, a line of
 /// JSON each: {"id": 1, "request": "simulate", "max_events": N, "scene": SCENE} by {"id": 1,
 /// "events": [{"time": 0.25, "a": "d0", "b": "w1"}, ...]}, or by {"id": 1, "error": ...}
-/// where it does not simulate such a scene. What it misses, invents or gets wrong is a finding, and
-/// so is no answer in time, the program's end, and an answer that makes no sense.
+/// where it does not simulate such a scene. What it misses, invents or gets wrong is a
+/// finding, and so is no answer in time, the program's end, and an answer that makes no sense.
 ///
 /// A scene depends on its family, the seed and its number alone: --start and --count cut
 /// the work in any way, and the outcomes are the same. With --output, scenes with findings
@@ -166,10 +165,7 @@ impl Arguments {
         let Some(directory) = &self.output else {
             return Ok(Store::in_memory());
         };
-        fs::create_dir_all(directory).map_err(|reason| Error::Unwritable {
-            file: directory.display().to_string(),
-            reason,
-        })?;
+        make_directory(directory)?;
         Store::open(&directory.join("outcomes.jsonl"), header)
     }
 }
@@ -195,7 +191,7 @@ impl<'a> Campaign<'a> {
         let mut store = self.arguments.store(&header)?;
         self.go_on(&tasks, &mut store)?;
         let outcomes = tasks.iter().filter_map(|task| {
-            let outcome = store.outcomes.get(&store::place(*task))?;
+            let outcome = store.outcomes.get(task)?;
             Some((*task, outcome.clone()))
         });
         let summary = Summary::new(&header, outcomes.collect(), &known);

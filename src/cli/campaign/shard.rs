@@ -12,7 +12,7 @@ use crate::cli::error::Error;
 use crate::cli::interrupt;
 
 /// A scene, by what it is made from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Task {
     pub(super) family: Family,
     pub(super) index: u64,

@@ -1,7 +1,6 @@
 //! Scenes with a finding, made as small as they get, in files.
 
 use std::cell::RefCell;
-use std::fs;
 use std::path::Path;
 
 use carom::check::minimise_by;
@@ -12,7 +11,7 @@ use carom::world::World;
 use super::outcome::{Class, Examiner, Outcome};
 use crate::cli::error::Error;
 use crate::cli::interrupt;
-use crate::cli::output::Output;
+use crate::cli::output::{Output, make_directory};
 
 /// Writes a smaller scene that shows the same, with the command that replays it.
 pub(super) fn save(
@@ -22,10 +21,7 @@ pub(super) fn save(
     command: &str,
     directory: &Path,
 ) -> Result<(), Error> {
-    fs::create_dir_all(directory).map_err(|reason| Error::Unwritable {
-        file: directory.display().to_string(),
-        reason,
-    })?;
+    make_directory(directory)?;
     let class = outcome.class;
     let path = directory.join(format!("{}-{}.json", scene.id(), class.name()));
     let (small, shown) = smaller(scene, outcome, examiner);

@@ -5,7 +5,6 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use carom::scene::generate::Family;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -51,13 +50,7 @@ struct Line {
 }
 
 /// All outcomes, by family and number.
-pub(super) type Outcomes = BTreeMap<(usize, u64), Outcome>;
-
-/// Where an outcome stands.
-pub(super) fn place(task: Task) -> (usize, u64) {
-    let family = Family::ALL.iter().position(|family| *family == task.family);
-    (family.unwrap_or_default(), task.index)
-}
+pub(super) type Outcomes = BTreeMap<Task, Outcome>;
 
 /// A file of outcomes, or none.
 pub(super) struct Store {
@@ -74,28 +67,24 @@ impl Store {
         }
     }
 
-    /// A file that is written on, if it is of the same campaign. A last line that was cut
-    /// off is left out.
+    /// A file that is written on, if it is of the same campaign; another one is left as it
+    /// is. A last line that was cut off is left out.
     pub(super) fn open(path: &Path, header: &Header) -> Result<Self, Error> {
         let unwritable = |reason| Error::Unwritable {
             file: path.display().to_string(),
             reason,
         };
         let mut options = OpenOptions::new();
-        options.read(true).write(true).create(true).truncate(false);
+        options.read(true).append(true).create(true);
         let mut file = options.open(path).map_err(unwritable)?;
         let text = io::read_to_string(&mut file).map_err(unwritable)?;
-        let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
+        let whole = whole_lines(&text, header);
+        let outcomes = read(path, whole, header)?;
         file.set_len(whole.len() as u64).map_err(unwritable)?;
         let mut store = Self {
-            outcomes: read(path, whole, header)?,
-            file: None,
+            outcomes,
+            file: Some((path.to_owned(), BufWriter::new(file))),
         };
-        let file = OpenOptions::new()
-            .append(true)
-            .open(path)
-            .map_err(unwritable)?;
-        store.file = Some((path.to_owned(), BufWriter::new(file)));
         if whole.is_empty() {
             store.write(header)?;
         }
@@ -103,7 +92,7 @@ impl Store {
     }
 
     pub(super) fn has(&self, task: Task) -> bool {
-        self.outcomes.contains_key(&place(task))
+        self.outcomes.contains_key(&task)
     }
 
     /// Keeps an outcome.
@@ -113,7 +102,7 @@ impl Store {
             index: task.index,
             outcome: outcome.clone(),
         })?;
-        self.outcomes.insert(place(task), outcome);
+        self.outcomes.insert(task, outcome);
         Ok(())
     }
 
@@ -122,8 +111,7 @@ impl Store {
         let Some((path, writer)) = &mut self.file else {
             return Ok(());
         };
-        let mut text = serde_json::to_string(line).expect("all keys are strings");
-        text.push('\n');
+        let text = json(line) + "\n";
         let written = writer
             .write_all(text.as_bytes())
             .and_then(|()| writer.flush());
@@ -132,6 +120,20 @@ impl Store {
             reason,
         })
     }
+}
+
+/// The text without a last line that was cut off; of a first one only if it began as the
+/// header does.
+fn whole_lines<'a>(text: &'a str, header: &Header) -> &'a str {
+    match text.rfind('\n') {
+        Some(end) => &text[..=end],
+        None if json(header).starts_with(text) => "",
+        None => text,
+    }
+}
+
+fn json(line: &impl Serialize) -> String {
+    serde_json::to_string(line).expect("all keys are strings")
 }
 
 fn read(path: &Path, text: &str, header: &Header) -> Result<Outcomes, Error> {
@@ -145,7 +147,7 @@ fn read(path: &Path, text: &str, header: &Header) -> Result<Outcomes, Error> {
         let found: Header =
             serde_json::from_str(line).map_err(|error| fault(number, error.to_string()))?;
         if found != *header {
-            let expected = serde_json::to_string(header).unwrap_or_default();
+            let expected = json(header);
             let reason = format!("of another campaign: expected {expected}, found {line}");
             return Err(fault(number, reason));
         }
@@ -157,7 +159,7 @@ fn read(path: &Path, text: &str, header: &Header) -> Result<Outcomes, Error> {
             family: line.family.parse()?,
             index: line.index,
         };
-        outcomes.insert(place(task), line.outcome);
+        outcomes.insert(task, line.outcome);
     }
     Ok(outcomes)
 }

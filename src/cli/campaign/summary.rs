@@ -38,7 +38,7 @@ struct Row {
     family: &'static str,
     scenes: usize,
     /// So many of each class.
-    counts: BTreeMap<&'static str, usize>,
+    counts: BTreeMap<Class, usize>,
     /// The largest error of a time, as far as the order is right.
     time_error: f64,
 }
@@ -147,7 +147,7 @@ impl Row {
     fn new(family: Family, outcomes: &[&Outcome]) -> Self {
         let count = |class: Class| {
             let of_class = outcomes.iter().filter(|outcome| outcome.class == class);
-            (class.name(), of_class.count())
+            (class, of_class.count())
         };
         let errors = outcomes.iter().map(|outcome| outcome.time_error);
         Self {
@@ -159,6 +159,6 @@ impl Row {
     }
 
     fn count(&self, class: Class) -> usize {
-        self.counts.get(class.name()).copied().unwrap_or_default()
+        self.counts.get(&class).copied().unwrap_or_default()
     }
 }

@@ -9,7 +9,6 @@ mod response;
 mod scenes;
 mod text;
 
-use std::fs;
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
@@ -17,7 +16,7 @@ use serde::Serialize;
 
 use super::error::Error;
 use super::exit::Exit;
-use super::output::Output;
+use super::output::{Output, make_directory};
 use draw::Kind;
 use question::Question;
 use response::{Response, responses};
@@ -84,10 +83,7 @@ pub(super) fn schema() -> String {
 
 pub(super) fn execute(arguments: &Arguments) -> Result<Exit, Error> {
     let directory = &arguments.directory;
-    fs::create_dir_all(directory).map_err(|reason| Error::Unwritable {
-        file: directory.display().to_string(),
-        reason,
-    })?;
+    make_directory(directory)?;
     for (name, text) in files()? {
         Output::open(&directory.join(format!("{name}.json")))?.write_text(&text)?;
     }

@@ -14,7 +14,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::plane::{Vector, Way, vector};
+use super::plane::{Vector, Way, minus, vector};
 use super::question::{apart, margin_of_pass};
 use super::scenes::time;
 
@@ -208,14 +208,10 @@ fn margin_until(mut way: Way, duration: BigRational) -> Option<f64> {
     (least < start).then(|| way.margin(&least))
 }
 
-fn minus([x, y]: &Vector, [other_x, other_y]: &Vector) -> Vector {
-    [x - other_x, y - other_y]
-}
-
 /// A vector, to so many bits after the point.
 fn short(vector: &Vec2<Exact>) -> Vector {
     [&vector.x, &vector.y].map(|part| {
-        let lo = part.enclosure().map(|(lo, _)| lo).unwrap_or_default();
+        let (lo, _) = part.enclosure().expect("all of a complete run is bounded");
         let unit = BigInt::one() << BITS;
         BigRational::new((lo * &unit).to_integer(), unit)
     })

@@ -12,7 +12,7 @@ pub(super) fn vector(point: &[Number; 2]) -> Vector {
     point.each_ref().map(Number::to_rational)
 }
 
-fn minus([x, y]: &Vector, [other_x, other_y]: &Vector) -> Vector {
+pub(super) fn minus([x, y]: &Vector, [other_x, other_y]: &Vector) -> Vector {
     [x - other_x, y - other_y]
 }
 

@@ -111,8 +111,7 @@ impl Impact {
             [one, ..] => collide_wall(one, &normal, &restitution),
             [] => Ok(()),
         };
-        // Only elastic_below asks for a decision.
-        debug_assert!(resolved.is_ok());
+        resolved.expect("only elastic_below asks for a decision");
         let told = self.discs.iter().zip(&discs);
         let mut told = told.map(|((mass, before), disc)| Moving {
             mass: mass
@@ -124,7 +123,7 @@ impl Impact {
         let (a, b) = (told.next(), told.next());
         Response {
             id,
-            a: a.unwrap_or_else(|| unreachable!("a disc")),
+            a: a.expect("one disc or two"),
             b,
             normal: self.normal.each_ref().map(Text::from),
             restitution: Text::from(&self.restitution),
@@ -140,13 +139,13 @@ fn moving(random: &mut Random, place: usize) -> (Option<Number>, [Number; 2]) {
         ("infinite", _) => None,
         (mass, _) => Some(text(mass)),
     };
-    let mut part = || Number::try_from(BigRational::new(random.whole(-9, 9).into(), 3.into()));
-    let velocity = [part(), part()].map(|part| part.unwrap_or_else(|_| Number::from(0)));
+    let mut part = || text(&format!("{}/3", random.whole(-9, 9)));
+    let velocity = [part(), part()];
     (mass, velocity)
 }
 
 fn text(text: &str) -> Number {
-    text.parse().unwrap_or_else(|_| Number::from(1))
+    text.parse().expect("a number")
 }
 
 fn disc(mass: &Option<Number>, velocity: &[Number; 2]) -> Disc<Exact> {
@@ -168,6 +167,6 @@ fn disc(mass: &Option<Number>, velocity: &[Number; 2]) -> Disc<Exact> {
 
 /// A number that is held as a rational.
 fn rational(number: &Exact) -> Text {
-    let bounds = number.enclosure();
-    Text::new(bounds.map(|(lo, _)| lo.to_string()).unwrap_or_default())
+    let (value, _) = number.enclosure().expect("it is rational");
+    Text::new(value.to_string())
 }

@@ -1,6 +1,9 @@
 //! Random numbers of a kind that no library's next version changes: the
 //! generator is pinned, and so is how its bits become numbers.
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::One;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 
@@ -33,6 +36,13 @@ impl Random {
     /// True as often as false.
     pub fn coin(&mut self) -> bool {
         self.whole(0, 1) == 1
+    }
+
+    /// A tiny number: one of ±2^-`least` to ±2^-`most`, or, once in three, zero.
+    pub fn tiny(&mut self, least: i64, most: i64) -> BigRational {
+        let sign = self.whole(-1, 1);
+        let exponent = self.whole(least, most);
+        BigRational::new(sign.into(), BigInt::one() << exponent)
     }
 
     /// Uniform from 0 to 1, without 1: a multiple of 2^-53.

@@ -3,7 +3,7 @@
 use carom::scene::generate::Random;
 use num_rational::BigRational;
 
-use super::{Body, Other, Pair, Situation, at, between, ratio, rounding, tiny, trimmed, whole};
+use super::{Body, Other, Pair, Situation, at, between, radius, ratio, rounding, trimmed, whole};
 
 pub(super) const SITUATIONS: [Situation; 6] = [
     Situation {
@@ -39,7 +39,7 @@ pub(super) const SITUATIONS: [Situation; 6] = [
 ];
 
 fn radii(random: &mut Random) -> [BigRational; 2] {
-    [0, 1].map(|_| between(random, 0, 3) + ratio(1, 8))
+    [0, 1].map(|_| radius(random))
 }
 
 fn pair(disc: Body, radius: BigRational) -> Pair {
@@ -71,7 +71,7 @@ fn lattice(random: &mut Random) -> Pair {
 fn graze(random: &mut Random) -> Pair {
     let reach = whole(random.whole(2, 6));
     let other = random.one_of(&[ratio(1, 2), whole(1), &reach - ratio(1, 4)]);
-    let radius = &reach - &other + tiny(random, 20, 70);
+    let radius = &reach - &other + random.tiny(20, 70);
     let start = -&reach - between(random, 1, 9);
     let velocity = [between(random, 1, 5), whole(0)];
     pair(Body::moving([start, reach], velocity, radius), other)

@@ -1,10 +1,8 @@
 //! A disc and the end of a wall, which is at the origin.
 
 use carom::scene::generate::Random;
-use num_rational::BigRational;
 
-use super::{Body, Other, Pair, Situation, at, between, ratio, rounding, tiny, trimmed, whole};
-use crate::cli::vectors::plane::Vector;
+use super::{Body, Pair, Situation, at, between, radius, ratio, rounding, trimmed, whole};
 
 pub(super) const SITUATIONS: [Situation; 6] = [
     Situation {
@@ -39,23 +37,6 @@ pub(super) const SITUATIONS: [Situation; 6] = [
     },
 ];
 
-/// A disc and a wall from the origin to a point, from either of its ends.
-fn pair(random: &mut Random, to: Vector, disc: Body) -> Pair {
-    let from = at(0, 0);
-    Pair {
-        disc,
-        other: Other::Wall(if random.coin() {
-            [from, to]
-        } else {
-            [to, from]
-        }),
-    }
-}
-
-fn radius(random: &mut Random) -> BigRational {
-    between(random, 0, 3) + ratio(1, 8)
-}
-
 /// From the left, at all heights at which the end may be met; the wall leads away.
 fn aim(random: &mut Random) -> Pair {
     let radius = radius(random);
@@ -64,7 +45,7 @@ fn aim(random: &mut Random) -> Pair {
     let velocity = [between(random, 1, 9), between(random, -1, 1) * ratio(1, 8)];
     let disc = Body::moving([start, height], velocity, radius);
     let to = [random.whole(1, 9), random.whole(-5, 5)].map(whole);
-    pair(random, to, disc)
+    Pair::with_wall(random, to, disc)
 }
 
 /// Along the wall's own line.
@@ -74,7 +55,7 @@ fn axis(random: &mut Random) -> Pair {
     let velocity = [between(random, -1, 9), whole(0)];
     let disc = Body::moving([start, whole(0)], velocity, radius);
     let to = at(random.whole(1, 9), 0);
-    pair(random, to, disc)
+    Pair::with_wall(random, to, disc)
 }
 
 /// Down onto the end: the foot is exactly there, or a little beside it.
@@ -83,21 +64,21 @@ fn foot(random: &mut Random) -> Pair {
     let (time, fall) = (random.whole(1, 8), whole(random.whole(1, 4)));
     let drift = whole(random.whole(-2, 2));
     let height = &radius + &fall * whole(time);
-    let x = -&drift * whole(time) + tiny(random, 20, 70);
+    let x = -&drift * whole(time) + random.tiny(20, 70);
     let disc = Body::moving([x, height], [drift, -fall], radius);
     let to = at(random.whole(1, 9), 0);
-    pair(random, to, disc)
+    Pair::with_wall(random, to, disc)
 }
 
 /// Past the end, at tangency or almost.
 fn graze(random: &mut Random) -> Pair {
     let reach = whole(random.whole(1, 6));
-    let radius = &reach + tiny(random, 20, 70);
+    let radius = &reach + random.tiny(20, 70);
     let start = -&reach - between(random, 1, 9);
     let velocity = [between(random, 1, 5), whole(0)];
     let disc = Body::moving([start, reach], velocity, radius);
     let to = at(random.whole(-4, 4), -random.whole(1, 6));
-    pair(random, to, disc)
+    Pair::with_wall(random, to, disc)
 }
 
 /// In contact with the end, or as far from it as rounding puts it.
@@ -107,7 +88,7 @@ fn touch(random: &mut Random) -> Pair {
     let velocity = [random.whole(-2, 2), random.whole(-2, 2)].map(whole);
     let disc = Body::moving([-apart, whole(0)], velocity, radius);
     let to = [random.whole(0, 9), random.whole(1, 5)].map(whole);
-    pair(random, to, disc)
+    Pair::with_wall(random, to, disc)
 }
 
 /// Over the end; once in four the centre is on it.
@@ -117,5 +98,5 @@ fn overlap(random: &mut Random) -> Pair {
     let velocity = [random.whole(-2, 2), random.whole(-2, 2)].map(whole);
     let disc = Body::moving([-apart, whole(0)], velocity, radius);
     let to = [random.whole(0, 9), random.whole(1, 5)].map(whole);
-    pair(random, to, disc)
+    Pair::with_wall(random, to, disc)
 }

@@ -11,9 +11,7 @@ mod wall;
 
 use carom::scene::generate::Random;
 use carom::scene::{Scene, SceneError};
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::One;
 
 use super::plane::Vector;
 use place::Place;
@@ -109,20 +107,9 @@ fn at(x: i64, y: i64) -> Vector {
     [whole(x), whole(y)]
 }
 
-/// ±2^-`exponent`, or 0.
-fn power(sign: i64, exponent: i64) -> BigRational {
-    BigRational::new(sign.into(), BigInt::one() << exponent)
-}
-
-/// 0, or some power of two from ±2^-`least` to ±2^-`most`.
-fn tiny(random: &mut Random, least: i64, most: i64) -> BigRational {
-    let sign = random.whole(-1, 1);
-    power(sign, random.whole(least, most))
-}
-
 /// As much as rounding may do to a number of this size, or nothing.
 fn rounding(random: &mut Random) -> BigRational {
-    tiny(random, 44, 52)
+    random.tiny(44, 52)
 }
 
 /// Between two whole numbers, in steps of a 16th or, for half of all, of 2^-40.
@@ -131,10 +118,29 @@ fn between(random: &mut Random, low: i64, high: i64) -> BigRational {
     ratio(random.whole(low * steps, high * steps), steps)
 }
 
+/// From an eighth to three and an eighth.
+fn radius(random: &mut Random) -> BigRational {
+    between(random, 0, 3) + ratio(1, 8)
+}
+
 /// A number near another one that is short enough for a binary64.
 fn trimmed(number: BigRational) -> BigRational {
     let unit = whole(1 << 20);
     (number * &unit).trunc() / unit
+}
+
+impl Pair {
+    /// A disc and a wall from the origin to a point, from either of its ends.
+    fn with_wall(random: &mut Random, to: Vector, disc: Body) -> Self {
+        let mut ends = [at(0, 0), to];
+        if !random.coin() {
+            ends.reverse();
+        }
+        Self {
+            disc,
+            other: Other::Wall(ends),
+        }
+    }
 }
 
 impl Body {

@@ -3,8 +3,7 @@
 use carom::scene::generate::Random;
 use num_rational::BigRational;
 
-use super::{Body, Other, Pair, Situation, at, between, ratio, rounding, tiny, trimmed, whole};
-use crate::cli::vectors::plane::Vector;
+use super::{Body, Pair, Situation, between, radius, ratio, rounding, trimmed, whole};
 
 pub(super) const SITUATIONS: [Situation; 5] = [
     Situation {
@@ -34,22 +33,9 @@ pub(super) const SITUATIONS: [Situation; 5] = [
     },
 ];
 
-/// A disc and a wall of some length, from either of its ends.
+/// A disc and a wall of some length.
 fn pair(random: &mut Random, length: BigRational, disc: Body) -> Pair {
-    let ends: [Vector; 2] = [at(0, 0), [length, whole(0)]];
-    let [from, to] = ends;
-    Pair {
-        disc,
-        other: Other::Wall(if random.coin() {
-            [from, to]
-        } else {
-            [to, from]
-        }),
-    }
-}
-
-fn radius(random: &mut Random) -> BigRational {
-    between(random, 0, 3) + ratio(1, 8)
+    Pair::with_wall(random, [length, whole(0)], disc)
 }
 
 /// Onto the wall, or beside it, from either side.
@@ -78,8 +64,8 @@ fn lattice(random: &mut Random) -> Pair {
 /// Beside the wall, in parallel or almost.
 fn along(random: &mut Random) -> Pair {
     let radius = radius(random);
-    let height = &radius + tiny(random, 2, 60);
-    let drop = tiny(random, 10, 40);
+    let height = &radius + random.tiny(2, 60);
+    let drop = random.tiny(10, 40);
     let velocity = [between(random, 1, 5), -drop];
     let start = between(random, -9, 3);
     let disc = Body::moving([start, height], velocity, radius);

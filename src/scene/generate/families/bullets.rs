@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::Signed;
 
-use super::parts::{Written, at, disc, ratio, tiny, whole};
+use super::parts::{Written, at, disc, ratio, whole};
 use super::place::placed;
 use crate::scene::generate::random::Random;
 use crate::scene::{DiscBuilder, Scene, SceneBuilder, SceneError};
@@ -59,7 +59,7 @@ impl Bullet {
     fn slot(&self, random: &mut Random) -> SceneBuilder {
         let clear = random.one_of(&[ratio(1, 4), ratio(-1, 4)]);
         let (half, aim) = match random.coin() {
-            true => (&self.radius + tiny(random, 20, 40).abs(), whole(0)),
+            true => (&self.radius + random.tiny(20, 40).abs(), whole(0)),
             false => (
                 &self.radius * (whole(1) + clear),
                 &self.radius * ratio(random.whole(-3, 3), 8),

@@ -2,7 +2,7 @@
 
 use num_traits::Signed;
 
-use super::parts::{Written, at, disc, ratio, tiny, whole};
+use super::parts::{Written, at, disc, ratio, whole};
 use super::place::placed;
 use crate::scalar::Number;
 use crate::scene::generate::random::Random;
@@ -79,7 +79,7 @@ fn end(random: &mut Random) -> SceneBuilder {
         true => (at(-6, 0), at(speed, 0)),
         false => ([whole(0), whole(5)], at(0, -speed)),
     };
-    let off = tiny(random, 20, 60);
+    let off = random.tiny(20, 60);
     let start = [start[0].clone() + &off, start[1].clone() + off];
     Scene::builder("")
         .notes("A disc against the end of a wall: its foot is at the end, or almost.")
@@ -95,7 +95,7 @@ fn end(random: &mut Random) -> SceneBuilder {
 fn mouth(random: &mut Random) -> SceneBuilder {
     let clear = random.one_of(&[ratio(1, 4), ratio(-1, 4)]);
     let (half, aim) = match random.coin() {
-        true => (whole(1) + tiny(random, 20, 40).abs(), whole(0)),
+        true => (whole(1) + random.tiny(20, 40).abs(), whole(0)),
         false => (whole(1) + clear, ratio(random.whole(-3, 3), 8)),
     };
     let sides = [half.clone(), -half];

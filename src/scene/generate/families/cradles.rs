@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::Signed;
 
-use super::parts::{Written, at, disc, ratio, tiny, whole};
+use super::parts::{Written, at, disc, ratio, whole};
 use super::place::placed;
 use crate::scalar::Number;
 use crate::scene::generate::random::Random;
@@ -11,7 +11,7 @@ use crate::scene::generate::{cradle, exact};
 use crate::scene::{DiscBuilder, Scene, SceneBuilder, SceneError};
 
 pub(super) fn draw(random: &mut Random) -> Result<SceneBuilder, SceneError> {
-    let gap = tiny(random, 4, 50).abs();
+    let gap = random.tiny(4, 50).abs();
     let scene = match random.whole(0, 2) {
         0 => newton(random, &gap)?,
         kind => line(random, &gap, kind == 1),

@@ -21,13 +21,18 @@ fn heavy(disc: DiscBuilder, random: &mut Random) -> DiscBuilder {
     }
 }
 
-/// Heavy ones and light ones that go to the middle.
-fn open(random: &mut Random) -> SceneBuilder {
-    let scatter = Scatter {
+/// Around the origin, in short numbers.
+fn scatter(is_open: bool) -> Scatter {
+    Scatter {
         shift: [0.0; 2],
         grain: Some(10),
-        is_open: true,
-    };
+        is_open,
+    }
+}
+
+/// Heavy ones and light ones that go to the middle.
+fn open(random: &mut Random) -> SceneBuilder {
+    let scatter = scatter(true);
     let count = random.whole(3, 6);
     let mut discs = scatter.discs(count, random);
     for place in discs.iter_mut().take(2) {
@@ -39,11 +44,7 @@ fn open(random: &mut Random) -> SceneBuilder {
 
 /// Light ones in a box with heavy ones at rest.
 fn boxed(random: &mut Random) -> SceneBuilder {
-    let scatter = Scatter {
-        shift: [0.0; 2],
-        grain: Some(10),
-        is_open: false,
-    };
+    let scatter = scatter(false);
     let count = random.whole(2, 5);
     let mut discs = scatter.discs(count, random);
     discs[0] = heavy(discs[0].clone().velocity([0, 0]), random);

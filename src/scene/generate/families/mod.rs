@@ -25,7 +25,7 @@ use super::random::Random;
 use crate::scene::{Scene, SceneBuilder, SceneError};
 
 /// What the scenes of a family have in common.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Family {
     /// Two to six discs of all sizes and masses, in a box or without walls; some lose
     /// energy.

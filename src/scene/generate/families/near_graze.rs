@@ -6,7 +6,7 @@
 
 use num_rational::BigRational;
 
-use super::parts::{at, disc, point, ratio, tiny, told, whole};
+use super::parts::{at, disc, point, ratio, told, whole};
 use super::place::placed;
 use crate::scene::generate::random::Random;
 use crate::scene::{Scene, SceneBuilder, SceneError};
@@ -14,7 +14,7 @@ use crate::scene::{Scene, SceneBuilder, SceneError};
 pub(super) fn draw(random: &mut Random) -> Result<SceneBuilder, SceneError> {
     let pass = Pass {
         reach: random.whole(2, 6),
-        more: tiny(random, 20, 70),
+        more: random.tiny(20, 70),
         start: random.whole(2, 9),
         speed: random.one_of(&[ratio(1, 2), whole(1), whole(3), whole(7)]),
     };

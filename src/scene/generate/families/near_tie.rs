@@ -2,14 +2,14 @@
 
 use num_rational::BigRational;
 
-use super::parts::{Written, at, disc, point, ratio, tiny, told, whole};
+use super::parts::{Written, at, disc, point, ratio, told, whole};
 use super::place::placed;
 use crate::scene::generate::random::Random;
 use crate::scene::{Scene, SceneBuilder, SceneError};
 
 pub(super) fn draw(random: &mut Random) -> Result<SceneBuilder, SceneError> {
     let tie = Tie {
-        later: tiny(random, 20, 60),
+        later: random.tiny(20, 60),
         time: random.whole(2, 6),
     };
     let (scene, kind) = match random.whole(0, 3) {

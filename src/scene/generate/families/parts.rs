@@ -1,11 +1,8 @@
 //! What scenes are drawn with: fractions, and bodies made of them.
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::One;
 
 use crate::scalar::{Number, NumberError};
-use crate::scene::generate::random::Random;
 use crate::scene::{Disc, DiscBuilder, IntoNumber};
 
 /// A fraction where a number is asked for: as a binary64 number if it is one.
@@ -24,13 +21,6 @@ pub(super) fn ratio(numerator: i64, denominator: i64) -> BigRational {
 
 pub(super) fn whole(number: i64) -> BigRational {
     BigRational::from_integer(number.into())
-}
-
-/// A tiny number: one of ±2^-`least` to ±2^-`most`, or, once in three, zero.
-pub(super) fn tiny(random: &mut Random, least: i64, most: i64) -> BigRational {
-    let sign = random.whole(-1, 1);
-    let exponent = random.whole(least, most);
-    BigRational::new(sign.into(), BigInt::one() << exponent)
 }
 
 /// How a note tells a tiny number.

@@ -42,8 +42,8 @@ pub(super) fn offset(random: &mut Random) -> SceneBuilder {
 
 fn loss(random: &mut Random) -> Restitution {
     let tenths = Number::from(random.whole(5, 9)).to_rational() / ratio(10, 1);
-    // A few tenths are of no absurd size.
-    Number::try_from(tenths).map_or(Restitution::Elastic, Restitution::newton)
+    let tenths = Number::try_from(tenths).expect("a few tenths are of no absurd size");
+    Restitution::newton(tenths)
 }
 
 /// How discs are scattered.
