@@ -82,6 +82,7 @@ pub enum Mass<S> {
 
 /// A disc in motion (P1.1).
 #[derive(Clone, Debug)]
+#[repr(align(64))]
 pub struct Disc<S> {
     /// Where the centre is.
     pub position: Vec2<S>,

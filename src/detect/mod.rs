@@ -18,7 +18,7 @@ mod segment;
 use crate::scalar::Scalar;
 
 pub use circle::meet_circle;
-pub(crate) use clear::{least_clear, stays_clear};
+pub(crate) use clear::{Passage, least_room};
 pub use gap::{gap_circle, gap_segment};
 pub use overlap::{Overlap, Separation, overlap_circle, overlap_segment};
 pub(crate) use segment::Nearest;

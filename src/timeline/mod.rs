@@ -28,7 +28,6 @@ mod rest;
 mod step;
 mod sweep;
 mod ties;
-mod tracks;
 
 use std::collections::{BTreeSet, VecDeque};
 use std::fmt;

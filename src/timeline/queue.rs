@@ -1,48 +1,59 @@
 //! Which forecast comes first: a tournament tree over lower bounds of times.
+//!
+//! What is collected as the first ones mostly gets a new key before anything else is
+//! asked. So it is taken out of the tree at once, and only put back if it does not.
 
 /// So many keys are in one group: those of a cache line.
 const WIDTH: usize = 8;
 
-/// Ranks of keys, of which the least one is that of the group a level further up.
-type Group = [u64; WIDTH];
+/// The key of an empty slot, and of what is none but fills the last group of a level.
+const EMPTY: f64 = f64::INFINITY;
 
-/// The rank of an empty slot.
-const EMPTY: u64 = rank(f64::INFINITY);
+/// Keys, of which the least one is in the group a level further up.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Group([f64; WIDTH]);
 
-/// What is no slot, but fills the last group of a level: after every limit.
-const NO_SLOT: u64 = u64::MAX;
+/// A slot and its key.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry {
+    key: f64,
+    slot: u32,
+}
+
+/// A level of the tree.
+#[derive(Clone, Debug)]
+struct Level {
+    groups: Vec<Group>,
+    /// Whose keys these are; none on the first level, where that is plain.
+    slots: Vec<[u32; WIDTH]>,
+}
 
 /// A key for each of a fixed number of slots; an empty slot's is infinite.
 ///
 /// A tree of minima, level by level: to change a key costs as many steps as the
-/// tree has levels that this changes, to find the least one as many as there
-/// are.
+/// tree has levels that this changes, to find the least one none.
 #[derive(Clone, Debug)]
 pub(super) struct Queue {
     /// The slots first, a single group last.
-    levels: Vec<Vec<Group>>,
-    least: u64,
+    levels: Vec<Level>,
+    /// The first entry in the tree.
+    first: Entry,
+    /// The entries that are out of it.
+    taken: Vec<Entry>,
 }
 
-/// A whole number for each binary64, in the same order.
-#[inline]
-const fn rank(key: f64) -> u64 {
-    let bits = (key + 0.0).to_bits();
-    if bits >> 63 == 0 {
-        bits | 1 << 63
-    } else {
-        !bits
+impl Level {
+    /// The first entry of a group.
+    #[inline]
+    fn first(&self, group: usize) -> Entry {
+        let (place, key) = first_of(&self.groups[group]);
+        let slot = match self.slots.get(group) {
+            Some(slots) => slots[place],
+            None => (WIDTH * group + place) as u32,
+        };
+        Entry { key, slot }
     }
-}
-
-/// The number of a rank.
-#[inline]
-fn key(rank: u64) -> f64 {
-    f64::from_bits(if rank >> 63 == 1 {
-        rank & !(1 << 63)
-    } else {
-        !rank
-    })
 }
 
 impl Queue {
@@ -51,91 +62,107 @@ impl Queue {
         let mut levels = Vec::new();
         let mut count = slots.max(1);
         while count > 1 || levels.is_empty() {
-            let mut groups = vec![[NO_SLOT; WIDTH]; count.div_ceil(WIDTH)];
-            groups.as_flattened_mut()[..count].fill(EMPTY);
-            count = groups.len();
-            levels.push(groups);
+            count = count.div_ceil(WIDTH);
+            let is_first = levels.is_empty();
+            levels.push(Level {
+                groups: vec![Group([EMPTY; WIDTH]); count],
+                slots: vec![[0; WIDTH]; if is_first { 0 } else { count }],
+            });
         }
         Self {
             levels,
-            least: EMPTY,
+            first: Entry {
+                key: EMPTY,
+                slot: 0,
+            },
+            taken: Vec::new(),
         }
     }
 
     /// Changes the key of a slot.
     #[inline]
     pub(super) fn set(&mut self, slot: usize, key: f64) {
-        let (mut place, mut rank) = (slot, rank(key));
+        if !self.taken.is_empty() {
+            self.taken.retain(|taken| taken.slot as usize != slot);
+        }
+        self.put(Entry {
+            // What is not a number comes last.
+            key: key.min(EMPTY),
+            slot: slot as u32,
+        });
+    }
+
+    /// Changes an entry of the tree.
+    #[inline]
+    fn put(&mut self, entry: Entry) {
+        let (mut place, mut entry) = (entry.slot as usize, entry);
         for level in &mut self.levels {
-            let group = &mut level[place / WIDTH];
-            let own = &mut group[place % WIDTH];
-            if *own == rank {
+            let (group, own) = (place / WIDTH, place % WIDTH);
+            let key = &mut level.groups[group].0[own];
+            let mut is_same = *key == entry.key;
+            *key = entry.key;
+            if let Some(slots) = level.slots.get_mut(group) {
+                is_same &= slots[own] == entry.slot;
+                slots[own] = entry.slot;
+            }
+            if is_same {
                 return;
             }
-            *own = rank;
-            rank = least_of(group);
-            place /= WIDTH;
+            (place, entry) = (group, level.first(group));
         }
-        self.least = rank;
+        self.first = entry;
     }
 
     /// The least key.
     #[inline]
     pub(super) fn least(&self) -> f64 {
-        key(self.least)
+        let taken = self.taken.iter().map(|entry| entry.key);
+        taken.fold(self.first.key, lesser)
     }
 
-    /// The first slot with the least key.
-    #[inline]
-    pub(super) fn least_slot(&self) -> usize {
-        self.levels.iter().rev().fold(0, |place, level| {
-            let is_least = |rank: &u64| *rank == self.least;
-            let first = level[place].iter().position(is_least);
-            WIDTH * place + first.unwrap_or_default()
-        })
-    }
-
-    /// The least key of all other slots.
-    #[inline]
+    /// The least key of all slots but one that has been collected.
     pub(super) fn least_but(&self, slot: usize) -> f64 {
-        let (mut place, mut least) = (slot, EMPTY);
-        for level in &self.levels {
-            let mut others = level[place / WIDTH];
-            others[place % WIDTH] = EMPTY;
-            least = least.min(least_of(&others));
-            place /= WIDTH;
-        }
-        key(least)
+        let others = self.taken.iter().filter(|taken| taken.slot as usize != slot);
+        let keys = others.map(|entry| entry.key);
+        keys.fold(self.first.key, lesser)
     }
 
-    /// Collects the slots whose keys are not above a limit, in their order.
+    /// Collects the slots whose keys are not above a limit, in their order; none that is
+    /// empty.
     #[inline]
-    pub(super) fn collect_up_to(&self, limit: f64, found: &mut Vec<usize>) {
+    pub(super) fn collect_up_to(&mut self, limit: f64, found: &mut Vec<usize>) {
+        while let Some(place) = self.taken.iter().position(|taken| taken.key > limit) {
+            let late = self.taken.swap_remove(place);
+            self.put(late);
+        }
+        while self.first.key <= limit && self.first.key < EMPTY {
+            let first = self.first;
+            self.taken.push(first);
+            self.put(Entry { key: EMPTY, ..first });
+        }
         found.clear();
-        collect(&self.levels, 0, rank(limit), found);
+        found.extend(self.taken.iter().map(|entry| entry.slot as usize));
+        found.sort_unstable();
     }
 }
 
-/// Collects from a group of the last of some levels: no deeper than these are
-/// many.
-fn collect(levels: &[Vec<Group>], group: usize, limit: u64, found: &mut Vec<usize>) {
-    let Some((level, below)) = levels.split_last() else {
-        found.push(group);
-        return;
-    };
-    let wanted = level[group].map(|rank| u8::from(rank <= limit));
-    let mut left = u64::from_le_bytes(wanted);
-    while left != 0 {
-        let place = WIDTH * group + left.trailing_zeros() as usize / 8;
-        collect(below, place, limit, found);
-        left &= left - 1;
-    }
+/// The place of the least key of a group, the first one of those alike, and the key.
+#[inline(always)]
+fn first_of(Group([a, b, c, d, e, f, g, h]): &Group) -> (usize, f64) {
+    type Numbered = (usize, f64);
+    let lesser = |one: Numbered, other: Numbered| if other.1 < one.1 { other } else { one };
+    let [left, right] = [
+        [(0, *a), (1, *b), (2, *c), (3, *d)],
+        [(4, *e), (5, *f), (6, *g), (7, *h)],
+    ]
+    .map(|[a, b, c, d]| lesser(lesser(a, b), lesser(c, d)));
+    lesser(left, right)
 }
 
-#[inline]
-fn least_of([a, b, c, d, e, f, g, h]: &Group) -> u64 {
-    let (left, right) = (a.min(b).min(c.min(d)), e.min(f).min(g.min(h)));
-    *left.min(right)
+/// The lesser of two numbers, in one instruction: keys are numbers.
+#[inline(always)]
+fn lesser(one: f64, other: f64) -> f64 {
+    if other < one { other } else { one }
 }
 
 #[cfg(test)]
@@ -144,36 +171,46 @@ mod tests {
 
     use super::*;
 
+    /// A limit to collect up to: the least key, some number, or none.
+    fn limit() -> impl Strategy<Value = Option<f64>> {
+        prop_oneof![
+            Just(None),
+            (-5..20_i32).prop_map(|limit| Some(limit.into())),
+            Just(Some(f64::INFINITY)),
+        ]
+    }
+
     proptest! {
         /// Against a plain list.
         #[test]
         fn agrees_with_a_list(
             slots in 1..200_usize,
-            changes in prop::collection::vec((any::<prop::sample::Index>(), -5..20_i32), 1..100),
-            limit in -5..20_i32,
+            changes in prop::collection::vec(
+                (any::<prop::sample::Index>(), -5..20_i32, limit()),
+                1..100,
+            ),
         ) {
             let mut queue = Queue::new(slots);
             let mut list = vec![f64::INFINITY; slots];
-            for (slot, key) in changes {
+            for (slot, key, limit) in changes {
                 let slot = slot.index(slots);
                 let key = if key == 0 { f64::INFINITY } else { key.into() };
                 queue.set(slot, key);
                 list[slot] = key;
                 let least = list.iter().copied().fold(f64::INFINITY, f64::min);
                 prop_assert_eq!(queue.least(), least);
-                if least.is_finite() {
-                    let first = list.iter().position(|key| *key == least);
-                    prop_assert_eq!(Some(queue.least_slot()), first);
+                let limit = limit.unwrap_or(least);
+                let mut found = Vec::new();
+                queue.collect_up_to(limit, &mut found);
+                let is_found = |slot: &usize| list[*slot] <= limit && list[*slot] < f64::INFINITY;
+                let expected: Vec<_> = (0..slots).filter(is_found).collect();
+                prop_assert_eq!(&found, &expected);
+                prop_assert_eq!(queue.least(), least);
+                if let Some(&slot) = found.first() {
                     let others = list.iter().enumerate().filter(|(other, _)| *other != slot);
                     let least = others.fold(f64::INFINITY, |least, (_, key)| least.min(*key));
                     prop_assert_eq!(queue.least_but(slot), least);
                 }
-            }
-            for limit in [limit.into(), f64::INFINITY] {
-                let mut found = Vec::new();
-                queue.collect_up_to(limit, &mut found);
-                let expected: Vec<_> = (0..slots).filter(|&slot| list[slot] <= limit).collect();
-                prop_assert_eq!(found, expected);
             }
         }
     }

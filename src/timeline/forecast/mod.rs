@@ -13,6 +13,7 @@
 
 mod first;
 mod outlook;
+mod scan;
 mod sieve;
 
 use std::cmp::Ordering::Greater;
@@ -20,11 +21,11 @@ use std::cmp::Ordering::Greater;
 use super::arbiter::Timed;
 use super::flight::Flights;
 use super::neighbours::{BroadPhase, Neighbours};
-use super::tracks::{Track, Tracks};
 use crate::body::Feature;
 use crate::kernel::Kernel;
 use crate::world::Obstacle;
 use first::First;
+use scan::Scan;
 use sieve::{Bounds, Sieve, Survivor};
 
 pub(super) use outlook::Forecast;
@@ -34,8 +35,8 @@ pub(super) use outlook::Forecast;
 pub(super) struct Forecaster {
     /// The bodies' binary64 bounds, where the arithmetic wants the filter.
     bounds: Option<Bounds>,
-    /// How the bodies move, where that is simple.
-    tracks: Tracks,
+    /// Looks at what a disc may meet, where discs glide.
+    scan: Scan,
     neighbours: Neighbours,
     /// The discs that a disc may meet.
     near: Vec<u32>,
@@ -61,7 +62,7 @@ impl Forecaster {
         let horizon = horizon.hull().hi();
         Self {
             bounds: S::IS_DEAR.then(|| Bounds::new(flights.hull(), horizon)),
-            tracks: Tracks::new(flights),
+            scan: Scan::new(flights),
             neighbours: Neighbours::new(flights, phase),
             near: Vec::new(),
             survivors: Vec::new(),
@@ -81,7 +82,7 @@ impl Forecaster {
         if let Some(bounds) = &mut self.bounds {
             bounds.update(flights, disc);
         }
-        self.tracks.update(flights, disc);
+        self.scan.update(flights, disc);
         self.neighbours.update(flights, disc);
     }
 
@@ -151,12 +152,15 @@ impl Forecaster {
         let (world, near) = (&flights.world, self.neighbours.of(disc));
         near.visit_walls(world, |wall| sieve.add(Obstacle::Wall(wall as usize)));
         near.list_discs(world, &mut self.near);
-        let track = self.tracks.of(disc);
-        for &other in &self.near {
-            let other = other as usize;
-            let is_clear = |track: &Track| self.tracks.are_clear(track, other, sieve.latest);
-            if other != disc && !track.is_some_and(is_clear) {
-                sieve.add(Obstacle::Disc(other));
+        if S::GLIDES {
+            for sighted in self.scan.look(flights, disc, &mut self.near) {
+                if sighted.earliest <= sieve.limit() {
+                    sieve.add(Obstacle::Disc(sighted.other as usize));
+                }
+            }
+        } else {
+            for &other in self.near.iter().filter(|other| **other as usize != disc) {
+                sieve.add(Obstacle::Disc(other as usize));
             }
         }
         sieve.finish();

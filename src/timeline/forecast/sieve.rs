@@ -105,6 +105,12 @@ where
         }
     }
 
+    /// The time after which nothing is of interest, by far more than a time rounds.
+    #[inline]
+    pub(super) fn limit(&self) -> f64 {
+        self.latest + 8.0 * f64::EPSILON * self.latest.abs()
+    }
+
     /// What a glance does not rule out.
     #[inline]
     fn glance(&self, obstacle: Obstacle) -> Option<Survivor> {

@@ -85,15 +85,15 @@ impl Cells {
     /// that is as good as random.
     #[inline]
     pub(super) fn list<const N: usize>(&self, cells: [u32; N], list: &mut Vec<u32>) {
-        list.resize(N * ROOM, NONE);
-        let (found, mut count) = (list.as_mut_slice(), 0);
+        let (mut found, mut count) = ([[NONE; ROOM]; N], 0);
+        let places = found.as_flattened_mut();
         for cell in cells {
             let few = &self.few[cell as usize];
-            found[count..count + ROOM].copy_from_slice(few);
+            places[count..count + ROOM].copy_from_slice(few);
             let more: u32 = few.iter().map(|disc| u32::from(*disc != NONE)).sum();
             count += more as usize;
         }
-        list.truncate(count);
+        list.extend_from_slice(&places[..count]);
         if !self.others.is_empty() {
             let others = |cell| self.others.get(&cell).into_iter().flatten();
             list.extend(cells.into_iter().flat_map(others));

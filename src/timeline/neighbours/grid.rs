@@ -22,14 +22,14 @@
 use super::Motion;
 use super::course::Course;
 use super::level::{Level, Stay};
-use super::sizes::{Spot, largest_of_levels};
+use super::sizes::{Spot, largest_of_levels, size_of_cells};
 use crate::kernel::Kernel;
 use crate::world::World;
 
 /// The part of a cell that is margin.
 pub(super) const MARGIN: f64 = 1.0 / 16.0;
 
-/// The size of a cell, in radii of the largest disc of its level.
+/// The least size of a cell, in radii of the largest disc of its level.
 pub(super) const SIZE: f64 = 2.0 * (1.0 + 1e-9) / (1.0 - 2.0 * MARGIN);
 
 /// Where strays are.
@@ -96,10 +96,14 @@ impl Grid {
         if largest.len() > 1 {
             grid.stays = vec![Stay::default(); spots.len()];
         }
-        let levels = largest.iter().zip(counts);
-        grid.levels = levels
-            .map(|(&largest, count)| Level::new(world, largest, extent, count))
-            .collect();
+        let mut rest = &spots[..];
+        for (largest, count) in largest.into_iter().zip(counts) {
+            let (own, smaller) = rest.split_at(count);
+            let size = size_of_cells(own, largest, extent);
+            grid.levels
+                .push(Level::new(world, [largest, size], extent, count));
+            rest = smaller;
+        }
         grid
     }
 

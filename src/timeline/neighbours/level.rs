@@ -1,7 +1,7 @@
 //! The cells for discs of about one size.
 
 use super::cells::Cells;
-use super::grid::{MARGIN, SIZE};
+use super::grid::MARGIN;
 use super::shape::Shape;
 use super::walls::Walls;
 use crate::kernel::Kernel;
@@ -39,15 +39,14 @@ impl Stay {
 }
 
 impl Level {
-    /// The empty cells for so many discs of a world, of which none is larger than
-    /// that.
+    /// The empty cells of a size for so many discs of a world, of which none is larger
+    /// than that.
     pub(super) fn new<S: Kernel>(
         world: &World<S>,
-        largest: f64,
+        [largest, size]: [f64; 2],
         extent: [f64; 2],
         discs: usize,
     ) -> Self {
-        let size = SIZE * largest;
         let shape = Shape::of(size, extent, discs);
         Self {
             discs: Cells::new(shape.buckets()),

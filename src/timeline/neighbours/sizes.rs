@@ -13,6 +13,10 @@ const RATIO: f64 = 4.0;
 /// smaller cells.
 const CROWD: usize = 2;
 
+/// So many discs, on the average, are in a cell of those that have room: with fewer, they
+/// leave it more often, and with more there are too many to look at.
+const SHARE: f64 = 0.9;
+
 /// Where a disc is, and how large.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
@@ -48,6 +52,18 @@ pub(super) fn largest_of_levels(spots: &mut [Spot]) -> Vec<f64> {
         rest = &rest[similar..];
     }
     levels
+}
+
+/// The size of cells for the discs of a level, the largest of which has that radius:
+/// where these have room, a cell has about one, so that they seldom leave it.
+pub(super) fn size_of_cells(spots: &[Spot], largest: f64, [width, height]: [f64; 2]) -> f64 {
+    let least = SIZE * largest;
+    let size = (width * height * SHARE / spots.len() as f64).sqrt();
+    if size > least && !are_crowded(spots, size) {
+        size
+    } else {
+        least
+    }
 }
 
 fn are_crowded(spots: &[Spot], size: f64) -> bool {

@@ -1,0 +1,151 @@
+//! Which of its neighbours a disc may meet, and not before when, where discs glide:
+//! few operations on binary64 for each of them.
+//!
+//! First those are dropped that the disc surely passes, all in one go: nothing in
+//! that waits for anything but memory. Of the few that are left it is computed for how
+//! long they surely stay apart.
+
+use crate::body::Feature;
+use crate::detect::{Passage, least_room};
+use crate::kernel::Kernel;
+use crate::timeline::flight::Flights;
+use crate::vec2::Vec2;
+use crate::world::Obstacle;
+
+/// Looks for what is met.
+#[derive(Clone, Debug)]
+pub(super) struct Scan {
+    /// The latest time at which a disc has changed: what was met before has been.
+    now: f64,
+    /// The largest sum of a position's coordinates so far, and of a velocity's.
+    far: f64,
+    fast: f64,
+    sighted: Vec<Sighted>,
+}
+
+/// A disc that may be met.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sighted {
+    pub(super) other: u32,
+    /// Surely not before this time.
+    pub(super) earliest: f64,
+}
+
+/// Where a disc is at some time, and how it moves.
+#[derive(Clone, Copy)]
+struct Track {
+    position: [f64; 2],
+    velocity: [f64; 2],
+    radius: f64,
+}
+
+impl Track {
+    #[inline(always)]
+    fn of<S: Kernel>(flights: &Flights<S>, disc: usize, time: f64) -> Self {
+        let body = &flights.world.discs[disc];
+        let [position, velocity] = [&body.position, &body.velocity].map(numbers);
+        let flown = time - flights.starts[disc].since.to_f64();
+        Self {
+            position: [0, 1].map(|axis| position[axis] + velocity[axis] * flown),
+            velocity,
+            radius: body.radius.to_f64(),
+        }
+    }
+
+    /// How another disc passes this one.
+    #[inline(always)]
+    fn passage(&self, other: &Self) -> Passage {
+        let offset = [0, 1].map(|axis| other.position[axis] - self.position[axis]);
+        let velocity = [0, 1].map(|axis| other.velocity[axis] - self.velocity[axis]);
+        Passage::of(offset, velocity, self.radius + other.radius)
+    }
+}
+
+#[inline(always)]
+fn numbers<S: Kernel>(vector: &Vec2<S>) -> [f64; 2] {
+    [vector.x.to_f64(), vector.y.to_f64()]
+}
+
+#[inline(always)]
+fn size([x, y]: [f64; 2]) -> f64 {
+    x.abs() + y.abs()
+}
+
+/// The disc that a disc has parted from, or it itself.
+#[inline]
+fn partner<S: Kernel>(flights: &Flights<S>, disc: usize) -> u32 {
+    match flights.world.discs[disc].last {
+        Some(Feature::Disc(other))
+            if flights
+                .world
+                .is_barred(disc, Obstacle::Disc(other as usize)) =>
+        {
+            other
+        }
+        _ => disc as u32,
+    }
+}
+
+impl Scan {
+    /// For the discs of some flights.
+    pub(super) fn new<S: Kernel>(flights: &Flights<S>) -> Self {
+        let mut scan = Self {
+            now: 0.0,
+            far: 0.0,
+            fast: 0.0,
+            sighted: Vec::new(),
+        };
+        for disc in 0..flights.world.discs.len() {
+            scan.update(flights, disc);
+        }
+        scan
+    }
+
+    /// Takes note of a disc whose motion has changed.
+    #[inline]
+    pub(super) fn update<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
+        if S::GLIDES {
+            let body = &flights.world.discs[disc];
+            self.now = self.now.max(flights.starts[disc].since.to_f64());
+            self.far = self.far.max(size(numbers(&body.position)));
+            self.fast = self.fast.max(size(numbers(&body.velocity)));
+        }
+    }
+
+    /// What of some discs another may meet, that first which it may meet first. The others
+    /// are dropped from the list.
+    #[inline]
+    pub(super) fn look<S: Kernel>(
+        &mut self,
+        flights: &Flights<S>,
+        disc: usize,
+        others: &mut Vec<u32>,
+    ) -> &[Sighted] {
+        let own = Track::of(flights, disc, self.now);
+        // Where this disc is, and so the way of another to where it is then, is no
+        // further than that or their distance.
+        let least = least_room(4.0 * self.far.max(size(own.position)), 2.0 * self.fast);
+        let parted = partner(flights, disc);
+        let passage = |other: u32| own.passage(&Track::of(flights, other as usize, self.now));
+        // Without branches, for who passes is as good as random.
+        let mut count = 0;
+        for place in 0..others.len() {
+            let other = others[place];
+            others[count] = other;
+            let is_other = (other != disc as u32) & (other != parted);
+            count += usize::from(!passage(other).is_clear(least) & is_other);
+        }
+        others.truncate(count);
+        self.sighted.clear();
+        self.sighted.extend(others.iter().map(|&other| Sighted {
+            other,
+            earliest: self.now + passage(other).clear_for(least),
+        }));
+        for place in 1..self.sighted.len() {
+            if self.sighted[place].earliest < self.sighted[0].earliest {
+                self.sighted.swap(0, place);
+            }
+        }
+        &self.sighted
+    }
+}
