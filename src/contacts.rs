@@ -5,6 +5,8 @@
 //! it is remembered, for as long as neither has moved away. Whether they collide is
 //! then a matter of their velocities alone (D18).
 
+use prefetch_index::prefetch_index;
+
 use crate::body::Feature;
 
 /// For each disc, what it touches.
@@ -65,6 +67,12 @@ impl Contacts {
     #[inline]
     pub fn of(&self, disc: usize) -> &[Feature] {
         self.of[disc].features()
+    }
+
+    /// Fetches what a disc touches into the cache.
+    #[inline]
+    pub(crate) fn fetch(&self, disc: usize) {
+        prefetch_index(&self.of, disc);
     }
 
     /// Notes that a disc and a feature touch.

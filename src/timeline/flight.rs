@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use prefetch_index::prefetch_index;
+
 use crate::body::{Disc, Feature};
 use crate::detect::{gap_circle, gap_segment};
 use crate::impact::Place;
@@ -59,6 +61,20 @@ impl<S: Kernel> Flights<S> {
             world: self.world.hull(),
             starts: self.starts.iter().map(|start| start.map(S::hull)).collect(),
         }
+    }
+
+    /// Fetches all of a disc into the cache.
+    #[inline]
+    pub(super) fn fetch(&self, disc: usize) {
+        self.fetch_motion(disc);
+        self.world.contacts.fetch(disc);
+    }
+
+    /// Fetches how a disc moves.
+    #[inline]
+    pub(super) fn fetch_motion(&self, disc: usize) {
+        prefetch_index(&self.world.discs, disc);
+        prefetch_index(&self.starts, disc);
     }
 
     #[inline]

@@ -27,7 +27,9 @@ impl<S: Timed> Timeline<S> {
         let latest = limit.hull().hi().min(f64::MAX);
         while self.queue.least() <= latest {
             self.collect_front();
+            self.fetch_disc();
             if self.refresh()? {
+                self.fetch_partner();
                 continue;
             }
             self.nominate();

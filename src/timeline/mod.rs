@@ -12,6 +12,7 @@
 //! or on request another: see [`Simultaneous`].
 
 mod accumulation;
+mod ahead;
 mod arbiter;
 mod cluster;
 mod flight;

@@ -120,6 +120,12 @@ impl Queue {
         taken.fold(self.first.key, lesser)
     }
 
+    /// The slot with the least key of those that have not been collected.
+    #[inline]
+    pub(super) fn next(&self) -> Option<usize> {
+        (self.first.key < EMPTY).then_some(self.first.slot as usize)
+    }
+
     /// The least key of all slots but one that has been collected.
     pub(super) fn least_but(&self, slot: usize) -> f64 {
         let others = self.taken.iter().filter(|taken| taken.slot as usize != slot);

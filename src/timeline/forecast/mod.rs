@@ -92,6 +92,28 @@ impl Forecaster {
         self.neighbours.renew(flights, disc, time);
     }
 
+    /// Fetches where a disc is among its neighbours into the cache.
+    #[inline]
+    pub(super) fn fetch(&self, disc: usize) {
+        self.neighbours.fetch(disc);
+    }
+
+    /// Fetches the cells about a disc.
+    #[inline]
+    pub(super) fn fetch_cells(&self, disc: usize) {
+        self.neighbours.fetch_cells(disc);
+    }
+
+    /// Fetches how the discs move that a disc may meet.
+    #[inline]
+    pub(super) fn fetch_neighbours<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
+        let near = self.neighbours.of(disc);
+        near.list_discs(&flights.world, &mut self.near);
+        for &other in &self.near {
+            flights.fetch_motion(other as usize);
+        }
+    }
+
     /// Whether bounds prove that a disc and an obstacle are apart at a time.
     pub(super) fn are_apart<S: Kernel>(&self, disc: usize, obstacle: Obstacle, time: &S) -> bool {
         self.bounds.as_ref().is_some_and(|bounds| {

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use prefetch_index::prefetch_index;
+
 /// So many discs alike fit into a cell.
 const ROOM: usize = 4;
 
@@ -79,6 +81,12 @@ impl Cells {
             self.others.remove(&cell);
         }
         taken
+    }
+
+    /// Fetches a cell into the cache.
+    #[inline]
+    pub(super) fn fetch(&self, cell: u32) {
+        prefetch_index(&self.few, cell as usize);
     }
 
     /// Lists the discs in some cells. Without branches on how many there are, for

@@ -19,6 +19,8 @@
 //! which the numbers are too uncertain, or that keeps leaving cells without
 //! meeting anything, is a *stray*: a neighbour of all others, as all are of it.
 
+use prefetch_index::prefetch_index;
+
 use super::Motion;
 use super::course::Course;
 use super::level::{Level, Stay};
@@ -117,6 +119,20 @@ impl Grid {
             level: &self.levels[usize::from(place.level)],
             bucket: place.bucket,
         })
+    }
+
+    /// Fetches the place of a disc into the cache.
+    #[inline]
+    pub(super) fn fetch(&self, disc: usize) {
+        prefetch_index(&self.places, disc);
+    }
+
+    /// Fetches the cells about a disc.
+    #[inline]
+    pub(super) fn fetch_cells(&self, disc: usize) {
+        if let Some(near) = self.near(disc) {
+            near.level.fetch_around(near.bucket);
+        }
     }
 
     #[inline]

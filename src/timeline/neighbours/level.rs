@@ -56,6 +56,13 @@ impl Level {
         }
     }
 
+    /// Fetches a bucket and those about it into the cache.
+    #[inline]
+    pub(super) fn fetch_around(&self, bucket: u32) {
+        let around = self.shape.around(bucket);
+        around.iter().for_each(|&bucket| self.discs.fetch(bucket));
+    }
+
     /// Lists the discs in a bucket and in those about it.
     #[inline]
     pub(super) fn list_around(&self, bucket: u32, list: &mut Vec<u32>) {

@@ -178,6 +178,22 @@ impl Neighbours {
         }
     }
 
+    /// Fetches where a disc is into the cache.
+    #[inline]
+    pub(super) fn fetch(&self, disc: usize) {
+        if let Self::Near(grid) = self {
+            grid.fetch(disc);
+        }
+    }
+
+    /// Fetches the cells about a disc.
+    #[inline]
+    pub(super) fn fetch_cells(&self, disc: usize) {
+        if let Self::Near(grid) = self {
+            grid.fetch_cells(disc);
+        }
+    }
+
     /// Until when a disc meets none but its neighbours.
     #[inline]
     pub(super) fn last_until(&self, disc: usize) -> f64 {
