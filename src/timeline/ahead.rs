@@ -1,62 +1,83 @@
-//! What the next event will look at, fetched into the cache while this one is under way.
+//! What the next events will look at, fetched into the cache before they come.
 //!
 //! With many discs events are anywhere, and wait for memory longer than they compute. But
-//! of two events in turn the second one is known early on, mostly: first its disc, and when
-//! what is kept of that has come, whom it meets and the cells about it, and at last its
-//! neighbours.
+//! mostly it is known which ones are next. So while others are under way there is fetched,
+//! one after the other for what the one tells of the next: what is kept of a disc, of
+//! whom it meets and of the cells about it, and of its neighbours.
+
+use prefetch_index::prefetch_index;
 
 use super::Timeline;
 use super::arbiter::Timed;
 use super::forecast::Forecast;
 use crate::body::Feature;
-use prefetch_index::prefetch_index;
 
 /// With fewer discs than that all is in the cache.
 const MANY: usize = 1 << 14;
 
+/// So many discs are looked ahead for, two of them for most events.
+const DISCS: usize = 8;
+
+/// The discs of the next events, by how much of them has been fetched.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Ahead {
+    is_worth_it: bool,
+    found: Vec<usize>,
+    fetched: Vec<usize>,
+    surrounded: Vec<usize>,
+}
+
+impl Ahead {
+    /// For so many discs.
+    pub(super) fn new<S: Timed>(discs: usize) -> Self {
+        Self {
+            is_worth_it: !S::IS_DEAR && discs >= MANY,
+            ..Self::default()
+        }
+    }
+}
+
 impl<S: Timed> Timeline<S> {
-    /// The disc of the next event, where it pays to look ahead.
+    /// Looks ahead.
     #[inline]
-    fn upcoming(&self) -> Option<usize> {
-        if S::IS_DEAR || self.forecasts.len() < MANY {
-            return None;
-        }
-        self.queue.next()
-    }
-
-    /// Fetches what is kept of the disc of the next event.
-    #[inline]
-    pub(super) fn fetch_disc(&self) {
-        if let Some(disc) = self.upcoming() {
-            self.fetch(disc);
+    pub(super) fn look_ahead(&mut self) {
+        if self.ahead.is_worth_it {
+            self.fetch_step();
         }
     }
 
-    /// Fetches what is kept of the disc that this meets, and the cells about it.
-    #[inline]
-    pub(super) fn fetch_partner(&self) {
-        let Some(disc) = self.upcoming() else {
-            return;
-        };
-        let next = self.forecasts[disc].as_ref();
-        if let Some(Feature::Disc(other)) = next.and_then(Forecast::feature) {
-            self.fetch(other as usize);
-        }
-        self.forecaster.fetch_cells(disc);
-    }
-
-    /// Fetches its neighbours.
-    #[inline]
-    pub(super) fn fetch_neighbours(&mut self) {
-        if let Some(disc) = self.upcoming() {
+    fn fetch_step(&mut self) {
+        let mut ahead = std::mem::take(&mut self.ahead);
+        for disc in ahead.surrounded.drain(..) {
             self.forecaster.fetch_neighbours(&self.flights, disc);
         }
+        for disc in ahead.fetched.drain(..) {
+            self.fetch_surroundings(disc);
+            ahead.surrounded.push(disc);
+        }
+        self.queue.look_ahead(DISCS, &mut ahead.found);
+        for disc in ahead.found.drain(..) {
+            self.fetch(disc);
+            ahead.fetched.push(disc);
+        }
+        self.ahead = ahead;
     }
 
+    /// Fetches what is kept of a disc.
     #[inline]
     fn fetch(&self, disc: usize) {
         prefetch_index(&self.forecasts, disc);
         self.flights.fetch(disc);
         self.forecaster.fetch(disc);
+    }
+
+    /// Fetches what is kept of whom a disc meets, and the cells about it.
+    #[inline]
+    fn fetch_surroundings(&self, disc: usize) {
+        let next = self.forecasts[disc].as_ref();
+        if let Some(Feature::Disc(other)) = next.and_then(Forecast::feature) {
+            self.fetch(other as usize);
+        }
+        self.forecaster.fetch_cells(disc);
     }
 }

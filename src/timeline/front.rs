@@ -27,9 +27,8 @@ impl<S: Timed> Timeline<S> {
         let latest = limit.hull().hi().min(f64::MAX);
         while self.queue.least() <= latest {
             self.collect_front();
-            self.fetch_disc();
+            self.look_ahead();
             if self.refresh()? {
-                self.fetch_partner();
                 continue;
             }
             self.nominate();

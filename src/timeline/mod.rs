@@ -38,6 +38,7 @@ use crate::impact::Impact;
 use crate::symmetry::Symmetry;
 use crate::world::{Obstacle, World};
 use accumulation::{Jams, Watch};
+use ahead::Ahead;
 use arbiter::Arbiter;
 pub use arbiter::Timed;
 use flight::Flights;
@@ -122,6 +123,7 @@ pub struct Timeline<S: Timed> {
     queue: Queue,
     /// The discs whose forecasts may be the first, and what they come to.
     front: Vec<usize>,
+    ahead: Ahead,
     candidates: Vec<Candidate>,
     /// The discs of which it took a proof that what they meet first happens at
     /// the time of the first impact of all.
@@ -182,6 +184,7 @@ impl<S: Timed> Timeline<S> {
             forecasts: vec![None; count],
             queue: Queue::new(count),
             front: Vec::new(),
+            ahead: Ahead::new::<S>(count),
             candidates: Vec::new(),
             tied: Vec::new(),
             grazed: Notes::default(),

@@ -6,6 +6,9 @@
 /// So many keys are in one group: those of a cache line.
 const WIDTH: usize = 8;
 
+/// So many entries may be out of the tree without need.
+const FEW: usize = 16;
+
 /// The key of an empty slot, and of what is none but fills the last group of a level.
 const EMPTY: f64 = f64::INFINITY;
 
@@ -120,10 +123,22 @@ impl Queue {
         taken.fold(self.first.key, lesser)
     }
 
-    /// The slot with the least key of those that have not been collected.
+    /// Takes the next entries out of the tree until that are so many, and lists their
+    /// slots.
     #[inline]
-    pub(super) fn next(&self) -> Option<usize> {
-        (self.first.key < EMPTY).then_some(self.first.slot as usize)
+    pub(super) fn look_ahead(&mut self, count: usize, found: &mut Vec<usize>) {
+        while self.taken.len() < count && self.first.key < EMPTY {
+            found.push(self.first.slot as usize);
+            self.take();
+        }
+    }
+
+    /// Takes the first entry out of the tree.
+    #[inline]
+    fn take(&mut self) {
+        let first = self.first;
+        self.taken.push(first);
+        self.put(Entry { key: EMPTY, ..first });
     }
 
     /// The least key of all slots but one that has been collected.
@@ -137,17 +152,18 @@ impl Queue {
     /// empty.
     #[inline]
     pub(super) fn collect_up_to(&mut self, limit: f64, found: &mut Vec<usize>) {
-        while let Some(place) = self.taken.iter().position(|taken| taken.key > limit) {
+        while self.taken.len() > FEW
+            && let Some(place) = self.taken.iter().position(|taken| taken.key > limit)
+        {
             let late = self.taken.swap_remove(place);
             self.put(late);
         }
         while self.first.key <= limit && self.first.key < EMPTY {
-            let first = self.first;
-            self.taken.push(first);
-            self.put(Entry { key: EMPTY, ..first });
+            self.take();
         }
+        let due = self.taken.iter().filter(|entry| entry.key <= limit);
         found.clear();
-        found.extend(self.taken.iter().map(|entry| entry.slot as usize));
+        found.extend(due.map(|entry| entry.slot as usize));
         found.sort_unstable();
     }
 }

@@ -46,10 +46,8 @@ impl<S: Timed> Timeline<S> {
             self.parted.clear(disc);
             self.forecaster.update(&self.flights, disc);
         }
-        self.fetch_partner();
         for disc in changed.into_iter().flatten() {
             self.forecast(disc, Effort::Bounds)?;
-            self.fetch_neighbours();
         }
         self.now = time.clone();
         Ok(Impact {
