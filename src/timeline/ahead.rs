@@ -67,6 +67,7 @@ impl<S: Timed> Timeline<S> {
     #[inline]
     fn fetch(&self, disc: usize) {
         prefetch_index(&self.forecasts, disc);
+        self.queue.fetch(disc);
         self.flights.fetch(disc);
         self.forecaster.fetch(disc);
     }
@@ -77,6 +78,11 @@ impl<S: Timed> Timeline<S> {
         let next = self.forecasts[disc].as_ref();
         if let Some(Feature::Disc(other)) = next.and_then(Forecast::feature) {
             self.fetch(other as usize);
+        }
+        for feature in self.flights.world.contacts.of(disc) {
+            if let Feature::Disc(other) = feature {
+                self.flights.world.contacts.fetch(*other as usize);
+            }
         }
         self.forecaster.fetch_cells(disc);
     }

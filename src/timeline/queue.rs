@@ -3,6 +3,8 @@
 //! What is collected as the first ones mostly gets a new key before anything else is
 //! asked. So it is taken out of the tree at once, and only put back if it does not.
 
+use prefetch_index::prefetch_index;
+
 /// So many keys are in one group: those of a cache line.
 const WIDTH: usize = 8;
 
@@ -123,6 +125,16 @@ impl Queue {
         taken.fold(self.first.key, lesser)
     }
 
+    /// Fetches the key of a slot into the cache.
+    #[inline]
+    pub(super) fn fetch(&self, slot: usize) {
+        prefetch_index(&self.levels[0].groups, slot / WIDTH);
+        if let Some(level) = self.levels.get(1) {
+            prefetch_index(&level.groups, slot / WIDTH / WIDTH);
+            prefetch_index(&level.slots, slot / WIDTH / WIDTH);
+        }
+    }
+
     /// Takes the next entries out of the tree until that are so many, and lists their
     /// slots.
     #[inline]
@@ -130,6 +142,7 @@ impl Queue {
         while self.taken.len() < count && self.first.key < EMPTY {
             found.push(self.first.slot as usize);
             self.take();
+            self.fetch(self.first.slot as usize);
         }
     }
 

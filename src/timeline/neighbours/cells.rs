@@ -93,16 +93,17 @@ impl Cells {
     /// that is as good as random.
     #[inline]
     pub(super) fn list<const N: usize>(&self, cells: [u32; N], list: &mut Vec<u32>) {
-        let (mut found, mut count) = ([[NONE; ROOM]; N], 0);
+        let (mut found, mut count, mut is_full) = ([[NONE; ROOM]; N], 0, false);
         let places = found.as_flattened_mut();
         for cell in cells {
             let few = &self.few[cell as usize];
             places[count..count + ROOM].copy_from_slice(few);
             let more: u32 = few.iter().map(|disc| u32::from(*disc != NONE)).sum();
             count += more as usize;
+            is_full |= few[ROOM - 1] != NONE;
         }
         list.extend_from_slice(&places[..count]);
-        if !self.others.is_empty() {
+        if is_full {
             let others = |cell| self.others.get(&cell).into_iter().flatten();
             list.extend(cells.into_iter().flat_map(others));
         }

@@ -61,6 +61,7 @@ impl Level {
     pub(super) fn fetch_around(&self, bucket: u32) {
         let around = self.shape.around(bucket);
         around.iter().for_each(|&bucket| self.discs.fetch(bucket));
+        self.walls.fetch(bucket);
     }
 
     /// Lists the discs in a bucket and in those about it.

@@ -1,5 +1,7 @@
 //! Which walls a disc may meet from its cell.
 
+use prefetch_index::prefetch_index;
+
 use super::shape::Shape;
 use crate::detect::Segment;
 use crate::kernel::Kernel;
@@ -68,6 +70,12 @@ impl Walls {
             word.before = before;
             before += word.bits.count_ones();
         }
+    }
+
+    /// Fetches whether there are walls near a bucket into the cache.
+    #[inline]
+    pub(super) fn fetch(&self, bucket: u32) {
+        prefetch_index(&self.beside, bucket as usize / WORD);
     }
 
     /// The walls that a disc in a bucket may meet.
