@@ -66,7 +66,9 @@ impl<S: Timed> Timeline<S> {
     /// Fetches what is kept of a disc.
     #[inline]
     fn fetch(&self, disc: usize) {
+        // It may be in two lines of the cache.
         prefetch_index(&self.forecasts, disc);
+        prefetch_index(&self.forecasts, disc + 1);
         self.queue.fetch(disc);
         self.flights.fetch(disc);
         self.forecaster.fetch(disc);

@@ -18,6 +18,9 @@ use crate::world::{Obstacle, World};
 pub struct Flights<S: Kernel> {
     pub(super) world: World<S>,
     pub(super) starts: Vec<Start<S>>,
+    /// The names of these times: equal names are equal times, also where the arithmetic
+    /// could not prove it.
+    moments: Vec<u64>,
 }
 
 /// When a body was changed last.
@@ -27,9 +30,6 @@ pub(super) struct Start<S> {
     pub(super) since: S,
     /// The turn.
     pub(super) turn: u64,
-    /// The name of the time: equal names are equal times, also where the arithmetic
-    /// could not prove it.
-    pub(super) moment: u64,
 }
 
 impl<S> Start<S> {
@@ -37,7 +37,6 @@ impl<S> Start<S> {
         Start {
             since: make(&self.since),
             turn: self.turn,
-            moment: self.moment,
         }
     }
 }
@@ -48,11 +47,11 @@ impl<S: Kernel> Flights<S> {
         let start = Start {
             since: S::from_integer(0),
             turn: 0,
-            moment: 0,
         };
         Self {
             world,
             starts: vec![start; count],
+            moments: vec![0; count],
         }
     }
 
@@ -60,6 +59,7 @@ impl<S: Kernel> Flights<S> {
         Flights {
             world: self.world.hull(),
             starts: self.starts.iter().map(|start| start.map(S::hull)).collect(),
+            moments: self.moments.clone(),
         }
     }
 
@@ -67,6 +67,7 @@ impl<S: Kernel> Flights<S> {
     #[inline]
     pub(super) fn fetch(&self, disc: usize) {
         self.fetch_motion(disc);
+        prefetch_index(&self.moments, disc);
         self.world.contacts.fetch(disc);
     }
 
@@ -125,17 +126,13 @@ impl<S: Kernel> Flights<S> {
 
     /// The name of the time at which a disc is where the world says.
     pub(super) fn moment_of(&self, disc: usize) -> u64 {
-        self.starts[disc].moment
+        self.moments[disc]
     }
 
     /// Puts a disc at the start of some motion of it.
     pub(super) fn set(&mut self, disc: usize, body: Disc<S>, since: S, turn: u64) {
         self.world.discs[disc] = body;
-        self.starts[disc] = Start {
-            since,
-            turn,
-            moment: turn,
-        };
+        self.start(disc, since, turn);
     }
 
     /// Whether a disc and an obstacle are apart, touch or overlap at a time, and
@@ -220,10 +217,10 @@ impl<S: Kernel> Flights<S> {
     /// Takes a disc to the time of its impact, at some turn.
     pub(super) fn bring(&mut self, disc: usize, time: &S::Time, moment: u64, turn: u64) {
         let start = &mut self.starts[disc];
-        if start.moment != moment {
+        if self.moments[disc] != moment {
             self.world.advance_disc(disc, &start.since, time);
             start.since = time.value();
-            start.moment = moment;
+            self.moments[disc] = moment;
         }
         start.turn = turn;
     }
@@ -236,11 +233,13 @@ impl<S: Kernel> Flights<S> {
         }
         let before = std::mem::replace(&mut self.world.discs[disc], after);
         self.world.leave_contacts(disc, &before.velocity);
-        self.starts[disc] = Start {
-            since: time.clone(),
-            turn,
-            moment: turn,
-        };
+        self.start(disc, time.clone(), turn);
+    }
+
+    /// Notes that a disc is where the world says at a time that a turn gives its name.
+    fn start(&mut self, disc: usize, since: S, turn: u64) {
+        self.starts[disc] = Start { since, turn };
+        self.moments[disc] = turn;
     }
 
     /// All numbers that impacts change.
@@ -265,6 +264,7 @@ impl Flights<Interval> {
     pub(super) fn follow<S: Kernel>(&mut self, disc: usize, flights: &Flights<S>) {
         self.world.discs[disc] = flights.world.discs[disc].map(S::hull);
         self.starts[disc] = flights.starts[disc].map(S::hull);
+        self.moments[disc] = flights.moments[disc];
     }
 
     /// A time before which a disc and an obstacle do not touch: of two discs

@@ -160,7 +160,8 @@ impl<S: Kernel> Flights<S> {
         Approach {
             early: self.flight(early),
             late: self.flight(late),
-            together: self.starts[early].moment == self.starts[late].moment,
+            // Where results round, a wait of zero comes to the same.
+            together: !S::ROUNDS && self.moment_of(early) == self.moment_of(late),
         }
     }
 
@@ -222,7 +223,7 @@ impl<S: Kernel> Flights<S> {
             overlap: met.overlap,
             inside: met.inside,
             rest: met.rest,
-            moment: met.overlap.then_some(self.starts[late].moment),
+            moment: met.overlap.then(|| self.moment_of(late)),
         }
     }
 

@@ -102,7 +102,9 @@ impl Cells {
             count += more as usize;
             is_full |= few[ROOM - 1] != NONE;
         }
-        list.extend_from_slice(&places[..count]);
+        let before = list.len();
+        list.extend_from_slice(found.as_flattened());
+        list.truncate(before + count);
         if is_full {
             let others = |cell| self.others.get(&cell).into_iter().flatten();
             list.extend(cells.into_iter().flat_map(others));

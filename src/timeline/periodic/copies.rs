@@ -113,7 +113,7 @@ pub(super) fn meet<S: Kernel>(
     let approach = Approach {
         early,
         late,
-        together: flights.starts[first].moment == flights.starts[second].moment,
+        together: flights.moment_of(first) == flights.moment_of(second),
     };
     check_order(&approach)?;
     S::meet_discs(&approach)

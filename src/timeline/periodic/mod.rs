@@ -187,7 +187,7 @@ impl<S: Kernel> Periodic<S> {
             partner_turn,
             graze: met.graze,
             overlap: met.overlap,
-            moment: met.overlap.then_some(self.flights.starts[late].moment),
+            moment: met.overlap.then(|| self.flights.moment_of(late)),
             time: met.time,
         }))
     }
