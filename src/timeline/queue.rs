@@ -49,6 +49,29 @@ pub(super) struct Queue {
 }
 
 impl Level {
+    #[inline]
+    fn at(&self, place: usize) -> Entry {
+        let (group, own) = (place / WIDTH, place % WIDTH);
+        Entry {
+            key: self.groups[group].0[own],
+            slot: self
+                .slots
+                .get(group)
+                .map_or(place as u32, |slots| slots[own]),
+        }
+    }
+
+    /// Puts an entry at a place. Gives the slot of what was there.
+    #[inline]
+    fn replace(&mut self, place: usize, entry: Entry) -> u32 {
+        let (group, own) = (place / WIDTH, place % WIDTH);
+        self.groups[group].0[own] = entry.key;
+        match self.slots.get_mut(group) {
+            Some(slots) => std::mem::replace(&mut slots[own], entry.slot),
+            None => entry.slot,
+        }
+    }
+
     /// The first entry of a group.
     #[inline]
     fn first(&self, group: usize) -> Entry {
@@ -101,19 +124,19 @@ impl Queue {
     #[inline]
     fn put(&mut self, entry: Entry) {
         let (mut place, mut entry) = (entry.slot as usize, entry);
-        for level in &mut self.levels {
-            let (group, own) = (place / WIDTH, place % WIDTH);
-            let key = &mut level.groups[group].0[own];
-            let mut is_same = *key == entry.key;
-            *key = entry.key;
-            if let Some(slots) = level.slots.get_mut(group) {
-                is_same &= slots[own] == entry.slot;
-                slots[own] = entry.slot;
+        for level in 0..self.levels.len() {
+            let before = self.levels[level].replace(place, entry);
+            place /= WIDTH;
+            let first = match self.levels.get(level + 1) {
+                Some(above) => above.at(place),
+                None => self.first,
+            };
+            if entry.key >= first.key {
+                if before != first.slot {
+                    return;
+                }
+                entry = self.levels[level].first(place);
             }
-            if is_same {
-                return;
-            }
-            (place, entry) = (group, level.first(group));
         }
         self.first = entry;
     }

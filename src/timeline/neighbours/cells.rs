@@ -13,6 +13,14 @@ const WORD: usize = u64::BITS as usize;
 /// No disc.
 const NONE: u32 = u32::MAX;
 
+/// How many places of an array are filled: those of which the highest bit is not set,
+/// which no disc has.
+#[inline]
+fn filled(few: &[u32; ROOM]) -> usize {
+    let empty: i32 = few.iter().map(|disc| disc.cast_signed() >> 31).sum();
+    (ROOM as i32 + empty) as usize
+}
+
 /// The discs in each cell, in no order: some in an array, the others apart.
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
@@ -93,19 +101,16 @@ impl Cells {
     /// that is as good as random.
     #[inline]
     pub(super) fn list<const N: usize>(&self, cells: [u32; N], list: &mut Vec<u32>) {
-        let (mut found, mut count, mut is_full) = ([[NONE; ROOM]; N], 0, false);
-        let places = found.as_flattened_mut();
+        let (mut count, mut last) = (list.len(), NONE);
+        list.resize(count + N * ROOM, NONE);
         for cell in cells {
             let few = &self.few[cell as usize];
-            places[count..count + ROOM].copy_from_slice(few);
-            let more: u32 = few.iter().map(|disc| u32::from(*disc != NONE)).sum();
-            count += more as usize;
-            is_full |= few[ROOM - 1] != NONE;
+            list[count..count + ROOM].copy_from_slice(few);
+            count += filled(few);
+            last &= few[ROOM - 1];
         }
-        let before = list.len();
-        list.extend_from_slice(found.as_flattened());
-        list.truncate(before + count);
-        if is_full {
+        list.truncate(count);
+        if last != NONE {
             let others = |cell| self.others.get(&cell).into_iter().flatten();
             list.extend(cells.into_iter().flat_map(others));
         }

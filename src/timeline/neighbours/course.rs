@@ -21,7 +21,7 @@ pub(super) struct Course {
 
 impl Course {
     /// One coordinate of a motion from a time on.
-    #[inline]
+    #[inline(always)]
     pub(super) fn follow(motion: &Motion, axis: usize, time: f64, scale: &Scale) -> Option<Self> {
         let [position, velocity] = [motion.position[axis], motion.velocity[axis]];
         let (speed, since) = (velocity.value, motion.since.value);
@@ -62,7 +62,7 @@ impl Course {
     }
 
     /// How far off it may be at a time, with all that rounds until then.
-    #[inline]
+    #[inline(always)]
     pub(super) fn error_at(&self, time: f64) -> f64 {
         let speed = self.speed.abs();
         if time == f64::INFINITY {

@@ -141,7 +141,7 @@ impl Grid {
     }
 
     /// Puts a disc into its cell at a time, after its motion has changed.
-    #[inline]
+    #[inline(always)]
     pub(super) fn settle(&mut self, disc: usize, motion: &Motion, time: f64) {
         self.places[disc].moves = 0;
         self.place(disc, motion, time);
@@ -163,7 +163,7 @@ impl Grid {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn place(&mut self, disc: usize, motion: &Motion, time: f64) {
         let (bucket, leave) = self
             .find(disc, motion, time)
@@ -172,7 +172,7 @@ impl Grid {
     }
 
     /// The bucket of a disc at a time, and when it leaves the cell.
-    #[inline]
+    #[inline(always)]
     fn find(&mut self, disc: usize, motion: &Motion, time: f64) -> Option<(u32, f64)> {
         let shape = &self.level(disc).shape;
         let x = Course::follow(motion, 0, time, &shape.scale)?;
