@@ -5,6 +5,8 @@
 //! it is remembered, for as long as neither has moved away. Whether they collide is
 //! then a matter of their velocities alone (D18).
 
+use std::collections::BTreeMap;
+
 use prefetch_index::prefetch_index;
 
 use crate::body::Feature;
@@ -13,46 +15,17 @@ use crate::body::Feature;
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
     of: Vec<Touched>,
+    /// The features that discs touch several of.
+    several: BTreeMap<usize, Vec<Feature>>,
 }
 
 /// What a disc touches: mostly no more than what it collided with last.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 enum Touched {
     #[default]
     Nothing,
     One(Feature),
-    #[expect(clippy::box_collection, reason = "it is rare, and so takes less room")]
-    Several(Box<Vec<Feature>>),
-}
-
-impl Touched {
-    #[inline]
-    fn features(&self) -> &[Feature] {
-        match self {
-            Self::Nothing => &[],
-            Self::One(feature) => std::slice::from_ref(feature),
-            Self::Several(features) => features,
-        }
-    }
-
-    fn add(&mut self, feature: Feature) {
-        match self {
-            Self::Nothing => *self = Self::One(feature),
-            Self::One(other) if *other == feature => {}
-            Self::One(other) => *self = Self::Several(Box::new(vec![*other, feature])),
-            Self::Several(features) if features.contains(&feature) => {}
-            Self::Several(features) => features.push(feature),
-        }
-    }
-
-    fn retain(&mut self, keeps: impl Fn(Feature) -> bool) {
-        match self {
-            Self::Nothing => {}
-            Self::One(feature) if keeps(*feature) => {}
-            Self::One(_) => *self = Self::Nothing,
-            Self::Several(features) => features.retain(|feature| keeps(*feature)),
-        }
-    }
+    Several,
 }
 
 impl Contacts {
@@ -60,13 +33,18 @@ impl Contacts {
     pub fn none(discs: usize) -> Self {
         Self {
             of: vec![Touched::Nothing; discs],
+            several: BTreeMap::new(),
         }
     }
 
     /// What a disc touches.
     #[inline]
     pub fn of(&self, disc: usize) -> &[Feature] {
-        self.of[disc].features()
+        match &self.of[disc] {
+            Touched::Nothing => &[],
+            Touched::One(feature) => std::slice::from_ref(feature),
+            Touched::Several => &self.several[&disc],
+        }
     }
 
     /// Fetches what a disc touches into the cache.
@@ -77,9 +55,9 @@ impl Contacts {
 
     /// Notes that a disc and a feature touch.
     pub fn join(&mut self, disc: usize, feature: Feature) {
-        self.of[disc].add(feature);
+        self.add(disc, feature);
         if let Feature::Disc(other) = feature {
-            self.of[other as usize].add(Feature::Disc(disc as u32));
+            self.add(other as usize, Feature::Disc(disc as u32));
         }
     }
 
@@ -87,21 +65,68 @@ impl Contacts {
     /// what it `keeps`.
     #[inline]
     pub fn leave(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
-        if !self.of[disc].features().is_empty() {
-            self.leave_some(disc, keeps);
+        match self.of[disc] {
+            Touched::Nothing => {}
+            Touched::One(feature) if keeps(feature) => {}
+            Touched::One(feature) => {
+                self.of[disc] = Touched::Nothing;
+                self.forget(disc, feature);
+            }
+            Touched::Several => self.leave_several(disc, keeps),
         }
     }
 
-    fn leave_some(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
-        let mut left = std::mem::take(&mut self.of[disc]);
-        for feature in left.features().iter().filter(|feature| !keeps(**feature)) {
-            if let Feature::Disc(other) = *feature {
-                let own = Feature::Disc(disc as u32);
-                self.of[other as usize].retain(|feature| feature != own);
+    fn leave_several(&mut self, disc: usize, keeps: impl Fn(Feature) -> bool) {
+        let features = self.several.remove(&disc).unwrap_or_default();
+        let (kept, left): (Vec<_>, Vec<_>) = features.into_iter().partition(|&one| keeps(one));
+        self.put(disc, kept);
+        for feature in left {
+            self.forget(disc, feature);
+        }
+    }
+
+    /// Notes that a feature does not touch a disc any more.
+    fn forget(&mut self, disc: usize, feature: Feature) {
+        if let Feature::Disc(other) = feature {
+            self.remove(other as usize, Feature::Disc(disc as u32));
+        }
+    }
+
+    fn add(&mut self, disc: usize, feature: Feature) {
+        match self.of[disc] {
+            Touched::Nothing => self.of[disc] = Touched::One(feature),
+            Touched::One(other) if other == feature => {}
+            Touched::One(other) => self.put(disc, vec![other, feature]),
+            Touched::Several => {
+                let features = self.several.entry(disc).or_default();
+                if !features.contains(&feature) {
+                    features.push(feature);
+                }
             }
         }
-        left.retain(keeps);
-        self.of[disc] = left;
+    }
+
+    fn remove(&mut self, disc: usize, feature: Feature) {
+        match self.of[disc] {
+            Touched::One(other) if other == feature => self.of[disc] = Touched::Nothing,
+            Touched::Nothing | Touched::One(_) => {}
+            Touched::Several => {
+                let mut features = self.several.remove(&disc).unwrap_or_default();
+                features.retain(|other| *other != feature);
+                self.put(disc, features);
+            }
+        }
+    }
+
+    fn put(&mut self, disc: usize, features: Vec<Feature>) {
+        self.of[disc] = match features[..] {
+            [] => Touched::Nothing,
+            [feature] => Touched::One(feature),
+            _ => {
+                self.several.insert(disc, features);
+                Touched::Several
+            }
+        };
     }
 }
 

@@ -72,7 +72,11 @@ impl Passage {
     /// than `least`. One that neither approaches nor recedes may count as if it did not.
     #[inline(always)]
     pub(crate) fn is_clear(&self, least: f64) -> bool {
-        let approach = if self.approach < 0.0 { self.approach } else { 0.0 };
+        let approach = if self.approach < 0.0 {
+            self.approach
+        } else {
+            0.0
+        };
         // As likely as not each: quicker without branches.
         (self.room > least) & (approach * approach + LEAST < self.room * self.speed)
     }
@@ -165,6 +169,9 @@ mod tests {
         let [near, fast] = [[4.0, 0.0], [-1e200, 1e200]];
         assert_eq!(clear_for(near, fast, 1.0, least(4.0, 2e200)), 0.0);
         assert_eq!(clear_for(near, [0.0, 1.0], 1.0, least(1e9, 1.0)), 0.0);
-        assert_eq!(clear_for(near, [-1e-200, 1e-200], 1.0, least(4.0, 1.0)), 0.0);
+        assert_eq!(
+            clear_for(near, [-1e-200, 1e-200], 1.0, least(4.0, 1.0)),
+            0.0
+        );
     }
 }

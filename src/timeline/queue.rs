@@ -174,12 +174,18 @@ impl Queue {
     fn take(&mut self) {
         let first = self.first;
         self.taken.push(first);
-        self.put(Entry { key: EMPTY, ..first });
+        self.put(Entry {
+            key: EMPTY,
+            ..first
+        });
     }
 
     /// The least key of all slots but one that has been collected.
     pub(super) fn least_but(&self, slot: usize) -> f64 {
-        let others = self.taken.iter().filter(|taken| taken.slot as usize != slot);
+        let others = self
+            .taken
+            .iter()
+            .filter(|taken| taken.slot as usize != slot);
         let keys = others.map(|entry| entry.key);
         keys.fold(self.first.key, lesser)
     }

@@ -15,7 +15,7 @@ const CROWD: usize = 2;
 
 /// So many discs, on the average, are in a cell of those that have room: with fewer, they
 /// leave it more often, and with more there are too many to look at.
-const SHARE: f64 = 0.9;
+const SHARE: f64 = 1.2;
 
 /// Where a disc is, and how large.
 #[derive(Clone, Copy, Debug)]
