@@ -25,7 +25,7 @@ use crate::body::Feature;
 use crate::kernel::Kernel;
 use crate::world::Obstacle;
 use first::First;
-use scan::Scan;
+use scan::{Scan, View};
 use sieve::{Bounds, Sieve, Survivor};
 
 pub(super) use outlook::Forecast;
@@ -175,9 +175,15 @@ impl Forecaster {
         near.visit_walls(world, |wall| sieve.add(Obstacle::Wall(wall as usize)));
         near.list_discs(world, &mut self.near);
         if S::GLIDES {
-            for sighted in self.scan.look(flights, disc, &mut self.near) {
-                if sighted.earliest <= sieve.limit() {
-                    sieve.add(Obstacle::Disc(sighted.other as usize));
+            let View { first, second, all } = self.scan.look(flights, disc, &mut self.near);
+            if first.earliest <= sieve.limit() {
+                sieve.add(Obstacle::Disc(first.other as usize));
+            }
+            if second.earliest <= sieve.limit() {
+                for sighted in all.iter().filter(|sighted| sighted.other != first.other) {
+                    if sighted.earliest <= sieve.limit() {
+                        sieve.add(Obstacle::Disc(sighted.other as usize));
+                    }
                 }
             }
         } else {

@@ -31,6 +31,45 @@ pub(super) struct Sighted {
     pub(super) earliest: f64,
 }
 
+impl Sighted {
+    /// None, which is never met.
+    const NOTHING: Self = Self {
+        other: u32::MAX,
+        earliest: f64::INFINITY,
+    };
+
+    /// That of two which may be met first.
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        if other.earliest < self.earliest {
+            other
+        } else {
+            self
+        }
+    }
+
+    /// The other one.
+    #[inline(always)]
+    fn later(self, other: Self) -> Self {
+        if other.earliest < self.earliest {
+            self
+        } else {
+            other
+        }
+    }
+}
+
+/// The discs that one may meet.
+#[derive(Debug)]
+pub(super) struct View<'a> {
+    /// That which it may meet first.
+    pub(super) first: Sighted,
+    /// The next one.
+    pub(super) second: Sighted,
+    /// All of them, if they are several.
+    pub(super) all: &'a [Sighted],
+}
+
 /// Where a disc is at some time, and how it moves.
 #[derive(Clone, Copy)]
 struct Track {
@@ -112,15 +151,14 @@ impl Scan {
         }
     }
 
-    /// What of some discs another may meet, that first which it may meet first. The others
-    /// are dropped from the list.
+    /// What of some discs another may meet. The others are dropped from the list.
     #[inline]
     pub(super) fn look<S: Kernel>(
         &mut self,
         flights: &Flights<S>,
         disc: usize,
         others: &mut Vec<u32>,
-    ) -> &[Sighted] {
+    ) -> View<'_> {
         let own = Track::of(flights, disc, self.now);
         // Where this disc is, and so the way of another to where it is then, is no
         // further than that or their distance.
@@ -137,15 +175,24 @@ impl Scan {
         }
         others.truncate(count);
         self.sighted.clear();
-        self.sighted.extend(others.iter().map(|&other| Sighted {
-            other,
-            earliest: self.now + passage(other).clear_for(least),
-        }));
-        for place in 1..self.sighted.len() {
-            if self.sighted[place].earliest < self.sighted[0].earliest {
-                self.sighted.swap(0, place);
+        let [mut first, mut second] = [Sighted::NOTHING; 2];
+        if let [other] = others[..] {
+            // There is nothing to compare it with.
+            first.other = other;
+            first.earliest = self.now;
+        } else {
+            for &other in &*others {
+                let earliest = self.now + passage(other).clear_for(least);
+                let sighted = Sighted { other, earliest };
+                second = second.or(first.later(sighted));
+                first = first.or(sighted);
+                self.sighted.push(sighted);
             }
         }
-        &self.sighted
+        View {
+            first,
+            second,
+            all: &self.sighted,
+        }
     }
 }

@@ -105,10 +105,12 @@ where
         }
     }
 
-    /// The time after which nothing is of interest, by far more than a time rounds.
+    /// The time after which nothing is of interest, by far more than a time rounds, but
+    /// not never.
     #[inline]
     pub(super) fn limit(&self) -> f64 {
-        self.latest + 8.0 * f64::EPSILON * self.latest.abs()
+        let limit = self.latest + 8.0 * f64::EPSILON * self.latest.abs();
+        limit.min(f64::MAX)
     }
 
     /// What a glance does not rule out.

@@ -28,20 +28,13 @@ impl Course {
         let start = position.value + speed * (time - since);
         let cell = scale.cell(start)?;
         let size = scale.size;
-        let (low, high) = (cell as f64 * size, (cell + 1) as f64 * size);
-        let margin = MARGIN * size / 2.0;
-        let way = if speed > 0.0 {
-            high + margin - start
-        } else {
-            start - (low - margin)
-        };
+        // Without branches, for the direction is as good as random.
+        let ahead = (start - (cell as f64 + 0.5) * size) * 1_f64.copysign(speed);
+        let way = (0.5 + MARGIN / 2.0) * size - ahead;
         Some(Self {
             cell,
-            leave: if speed == 0.0 {
-                f64::INFINITY
-            } else {
-                time + way / speed.abs()
-            },
+            // Never, for a speed of zero.
+            leave: time + way / speed.abs(),
             start,
             speed,
             known: position.error + speed.abs() * motion.since.error,
