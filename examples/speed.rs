@@ -1,17 +1,22 @@
-//! How fast the timeline of a scene runs in binary64, and how much memory it takes.
+//! How fast the timeline of a scene runs in numbers that round, and how much memory it
+//! takes.
 //!
 //! ```text
-//! cargo run --release --example speed -- [SCENE] [DISCS] [PACKING] [IMPACTS]
+//! cargo run --release --example speed -- [SCENE] [DISCS] [PACKING] [IMPACTS] [ARITHMETIC]
 //! ```
 //!
 //! Scenes: `alike` discs in a box; discs of `mixed` radii, 1 to 64, each size with
 //! about the same area; some `huge` ones, 40 times as large as the others; discs
 //! alike among as many `pegs`, which are short walls; discs alike in a `round` of
-//! as many short walls. PACKING is that of the first.
+//! as many short walls. PACKING is that of the first. The ARITHMETIC is `f64` or
+//! `filtered`.
 
+use std::convert::Infallible;
 use std::f64::consts::TAU;
 use std::time::Instant;
 
+use carom::arithmetic::Arithmetic;
+use carom::scalar::Filtered;
 use carom::scene::generate::gas;
 use carom::scene::{Disc, DiscBuilder, Scene, SceneBuilder};
 use carom::timeline::Timeline;
@@ -42,21 +47,34 @@ fn main() {
         _ => panic!("no such scene: {kind}"),
     };
     let scene = scene.expect("a valid scene");
-    let world = World::<f64>::new(&scene, ());
+    let title = format!("{kind} {packing}");
+    match argument(5).as_deref() {
+        None | Some("f64") => measure(&title, scene, &f64::MAX, impacts),
+        Some("filtered") => measure(&title, scene, &Filtered::new(1e9), impacts),
+        Some(other) => panic!("no such arithmetic: {other}"),
+    }
+}
+
+/// Runs so many impacts of a scene, which has to go on for a time.
+fn measure<S>(title: &str, scene: Scene, end: &S, impacts: u64)
+where
+    S: Arithmetic<Precision = (), Doubt = Infallible>,
+{
+    let world = World::<S>::new(&scene, ());
     let (discs, walls) = (world.discs.len(), world.walls.len());
     // Kept, so that its memory is not used again.
     std::mem::forget(scene);
     let before = resident();
     let begun = Instant::now();
-    let Ok(mut timeline) = Timeline::new(world.clone(), &f64::MAX);
+    let Ok(mut timeline) = Timeline::new(world.clone(), end);
     let started = begun.elapsed().as_secs_f64();
     let begun = Instant::now();
     for _ in 0..impacts {
-        let Ok(impact) = timeline.next_impact(&f64::MAX);
+        let Ok(impact) = timeline.next_impact(end);
         assert!(impact.is_some(), "no more impacts");
     }
     println!(
-        "{kind} {packing}: {discs} discs, {walls} walls: {:.0} impacts/s, begun in {started:.2} s, {:.0} bytes a disc",
+        "{title}: {discs} discs, {walls} walls: {:.0} impacts/s, begun in {started:.2} s, {:.0} bytes a disc",
         impacts as f64 / begun.elapsed().as_secs_f64(),
         (resident() - before) / discs as f64,
     );

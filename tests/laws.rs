@@ -1,6 +1,8 @@
 //! Laws of mechanics that need no oracle: what is done to a scene must be done
 //! to its run.
 
+#[path = "laws/apart.rs"]
+mod apart;
 #[path = "laws/change.rs"]
 mod change;
 #[path = "laws/conservation.rs"]

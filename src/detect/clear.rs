@@ -81,7 +81,7 @@ impl Passage {
         (self.room > least) & (approach * approach + LEAST < self.room * self.speed)
     }
 
-    /// For how long the point surely stays clear.
+    /// For how long the point surely stays clear. What is not a number proves nothing.
     #[inline(always)]
     pub(crate) fn clear_for(&self, least: f64) -> f64 {
         let product = self.room * self.speed;
@@ -91,7 +91,8 @@ impl Passage {
         } else if self.approach >= 0.0 {
             f64::INFINITY
         } else if product > LEAST {
-            self.room / (discriminant.max(0.0).sqrt() - self.approach)
+            let time = self.room / (discriminant.max(0.0).sqrt() - self.approach);
+            if time > 0.0 { time } else { 0.0 }
         } else {
             0.0
         }

@@ -18,8 +18,8 @@ pub struct Moment {
     lo: f64,
     hi: f64,
     course: Course,
-    /// Boxed, for most times never come.
-    sharp: Option<Box<Sharp>>,
+    /// What has been found out when it came.
+    sharp: Option<Sharp>,
 }
 
 /// A time to two words, and rounded.
@@ -67,7 +67,7 @@ impl Moment {
     /// The time to two words, if these tell how it rounds.
     fn sharp(&self) -> Option<Sharp> {
         if let Some(sharp) = &self.sharp {
-            return Some(**sharp);
+            return Some(*sharp);
         }
         let start = self.course.start()?;
         let delay: Rounded<Twofold> = screen::delay(&self.course)?;
@@ -181,7 +181,7 @@ impl Time<Filtered> for Moment {
     /// Rounding keeps the order: there is nothing to lift.
     #[inline]
     fn settled(self, _: &Filtered) -> Self {
-        let sharp = self.sharp().map(Box::new);
+        let sharp = self.sharp();
         Self { sharp, ..self }
     }
 }

@@ -158,8 +158,7 @@ impl Queue {
         }
     }
 
-    /// Takes the next entries out of the tree until that are so many, and lists their
-    /// slots.
+    /// Takes the next entries out of the tree until so many are, and lists their slots.
     #[inline]
     pub(super) fn look_ahead(&mut self, count: usize, found: &mut Vec<usize>) {
         while self.taken.len() < count && self.first.key < EMPTY {
@@ -182,12 +181,9 @@ impl Queue {
 
     /// The least key of all slots but one that has been collected.
     pub(super) fn least_but(&self, slot: usize) -> f64 {
-        let others = self
-            .taken
-            .iter()
-            .filter(|taken| taken.slot as usize != slot);
-        let keys = others.map(|entry| entry.key);
-        keys.fold(self.first.key, lesser)
+        let is_other = |taken: &&Entry| taken.slot as usize != slot;
+        let others = self.taken.iter().filter(is_other);
+        others.map(|entry| entry.key).fold(self.first.key, lesser)
     }
 
     /// Collects the slots whose keys are not above a limit, in their order; none that is
@@ -250,18 +246,22 @@ mod tests {
         fn agrees_with_a_list(
             slots in 1..200_usize,
             changes in prop::collection::vec(
-                (any::<prop::sample::Index>(), -5..20_i32, limit()),
+                (any::<prop::sample::Index>(), -5..20_i32, limit(), 0..9_usize),
                 1..100,
             ),
         ) {
             let mut queue = Queue::new(slots);
             let mut list = vec![f64::INFINITY; slots];
-            for (slot, key, limit) in changes {
+            for (slot, key, limit, ahead) in changes {
                 let slot = slot.index(slots);
                 let key = if key == 0 { f64::INFINITY } else { key.into() };
                 queue.set(slot, key);
                 list[slot] = key;
                 let least = list.iter().copied().fold(f64::INFINITY, f64::min);
+                prop_assert_eq!(queue.least(), least);
+                let mut next = Vec::new();
+                queue.look_ahead(ahead, &mut next);
+                prop_assert!(next.iter().all(|&slot| list[slot] < f64::INFINITY));
                 prop_assert_eq!(queue.least(), least);
                 let limit = limit.unwrap_or(least);
                 let mut found = Vec::new();

@@ -4,6 +4,13 @@
 //! First those are dropped that the disc surely passes, all in one go: nothing in
 //! that waits for anything but memory. Of the few that are left it is computed for how
 //! long they surely stay apart.
+//!
+//! All are looked at where they are now, at the time of the latest impact: what was to be
+//! met before has been. That is further on than where the formulas start from, which is
+//! where the later one of two discs has changed; and so their distance there may be
+//! larger. But since it is now at least 4 · 10⁻⁸ of the largest one that there is, it is
+//! larger by no more than a factor of 5 · 10⁷, and what the formulas round, 2⁻⁵³ of it, is
+//! still less than a tenth of what [`Passage`] leaves for that.
 
 use crate::body::Feature;
 use crate::detect::{Passage, least_room};
@@ -113,14 +120,10 @@ fn size([x, y]: [f64; 2]) -> f64 {
 /// The disc that a disc has parted from, or it itself.
 #[inline]
 fn partner<S: Kernel>(flights: &Flights<S>, disc: usize) -> u32 {
-    match flights.world.discs[disc].last {
-        Some(Feature::Disc(other))
-            if flights
-                .world
-                .is_barred(disc, Obstacle::Disc(other as usize)) =>
-        {
-            other
-        }
+    let world = &flights.world;
+    let is_barred = |other: u32| world.is_barred(disc, Obstacle::Disc(other as usize));
+    match world.discs[disc].last {
+        Some(Feature::Disc(other)) if is_barred(other) => other,
         _ => disc as u32,
     }
 }

@@ -87,7 +87,7 @@ impl Grid {
             places: Vec::new(),
             stays: Vec::new(),
             strays: Vec::new(),
-            least: SIZE * largest.last().copied().unwrap_or_default(),
+            least: f64::INFINITY,
             patience: (spots.len() / 8).clamp(64, u16::MAX.into()) as u16,
         };
         for disc in &world.discs {
@@ -101,7 +101,8 @@ impl Grid {
         let mut rest = &spots[..];
         for (largest, count) in largest.into_iter().zip(counts) {
             let (own, smaller) = rest.split_at(count);
-            let size = size_of_cells(own, largest, extent);
+            let size = size_of_cells(own, largest, extent, world.walls.len());
+            grid.least = grid.least.min(size);
             grid.levels
                 .push(Level::new(world, [largest, size], extent, count));
             rest = smaller;

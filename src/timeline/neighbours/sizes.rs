@@ -13,7 +13,7 @@ const RATIO: f64 = 4.0;
 /// smaller cells.
 const CROWD: usize = 2;
 
-/// So many discs, on the average, are in a cell of those that have room: with fewer, they
+/// So many bodies, on the average, are in a cell of those that have room: with fewer, discs
 /// leave it more often, and with more there are too many to look at.
 const SHARE: f64 = 1.2;
 
@@ -54,12 +54,19 @@ pub(super) fn largest_of_levels(spots: &mut [Spot]) -> Vec<f64> {
     levels
 }
 
-/// The size of cells for the discs of a level, the largest of which has that radius:
-/// where these have room, a cell has about one, so that they seldom leave it.
-pub(super) fn size_of_cells(spots: &[Spot], largest: f64, [width, height]: [f64; 2]) -> f64 {
+/// The size of cells for the discs of a level, the largest of which has that radius, in
+/// an area with so many walls: where there is room, a cell has about one body, so that
+/// discs seldom leave it.
+pub(super) fn size_of_cells(
+    spots: &[Spot],
+    largest: f64,
+    [width, height]: [f64; 2],
+    walls: usize,
+) -> f64 {
     let least = SIZE * largest;
-    let size = (width * height * SHARE / spots.len() as f64).sqrt();
-    if size > least && !are_crowded(spots, size) {
+    let bodies = spots.len() + walls;
+    let size = (width * height * SHARE / bodies as f64).sqrt();
+    if size > least && size.is_finite() && !are_crowded(spots, size) {
         size
     } else {
         least
