@@ -119,10 +119,10 @@ impl<S: Arithmetic> Simulation<S> {
     ///
     /// The arithmetic leaves a decision open.
     pub fn next_frame(&mut self) -> Result<Vec<Impact<S>>, S::Doubt> {
-        let frame = self.clock.frame(self.frame, self.precision);
+        let number = self.frame;
         self.frame += 1;
         match &mut self.machine {
-            Machine::Frames(frames) => frames.step(&frame),
+            Machine::Frames(frames) => frames.step(&self.clock.frame(number, self.precision)),
             Machine::Timeline(timeline) => {
                 let end = self.clock.start_of(self.frame, self.precision);
                 std::iter::from_fn(|| timeline.next_impact(&end).transpose()).collect()
