@@ -80,7 +80,7 @@ pub enum Mass<S> {
     Infinite,
 }
 
-/// A disc in motion (P1.1).
+/// A disc in motion (P1.1): in binary64, one line of the cache.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct Disc<S> {

@@ -12,11 +12,12 @@ use super::arbiter::Timed;
 use super::forecast::Forecast;
 use crate::body::Feature;
 
-/// With fewer discs than that all is in the cache.
+/// With fewer discs memory is not waited for longer than it takes to look ahead: with 10⁴
+/// of them that made an impact an eighth slower.
 const MANY: usize = 1 << 14;
 
-/// So many discs are looked ahead for, two of them for most events.
-const DISCS: usize = 8;
+/// So many discs are looked ahead for. Six to sixteen were no quicker.
+const DISCS: usize = 4;
 
 /// The discs of the next events, by how much of them has been fetched.
 #[derive(Clone, Debug, Default)]
