@@ -55,7 +55,7 @@ fn main() {
     }
 }
 
-/// Runs so many impacts of a scene, which has to go on for a time.
+/// Runs so many impacts of a scene, up to an end that has to be later than these.
 fn measure<S>(title: &str, scene: Scene, end: &S, impacts: u64)
 where
     S: Arithmetic<Precision = (), Doubt = Infallible>,

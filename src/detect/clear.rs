@@ -27,8 +27,8 @@ const MARGIN: f64 = 1e-6;
 /// Coordinates up to this have products, and products of these, without overflow.
 const MOST: f64 = f64::from_bits((1023 + 100) << 52);
 
-/// Products of squares that exceed this are computed from numbers, and are numbers, that
-/// do not vanish, if coordinates are no larger than that.
+/// A product of squares that is larger than this is not wrong by what vanishes, if
+/// coordinates are no larger than [`MOST`].
 const LEAST: f64 = f64::from_bits((1023 - 700) << 52);
 
 /// How much the squared distance of points must exceed that at which they touch, so that
@@ -69,7 +69,7 @@ impl Passage {
     }
 
     /// Whether the point surely stays clear for ever, if the room is known where it is more
-    /// than `least`. One that neither approaches nor recedes may count as if it did not.
+    /// than `least`. If not, that says nothing: so it is where nothing moves.
     #[inline(always)]
     pub(crate) fn is_clear(&self, least: f64) -> bool {
         let approach = if self.approach < 0.0 {
@@ -81,7 +81,8 @@ impl Passage {
         (self.room > least) & (approach * approach + LEAST < self.room * self.speed)
     }
 
-    /// For how long the point surely stays clear. What is not a number proves nothing.
+    /// For how long the point surely stays clear. What overflows, or is not a number,
+    /// proves nothing.
     #[inline(always)]
     pub(crate) fn clear_for(&self, least: f64) -> f64 {
         let product = self.room * self.speed;
@@ -90,7 +91,7 @@ impl Passage {
             0.0
         } else if self.approach >= 0.0 {
             f64::INFINITY
-        } else if product > LEAST {
+        } else if product > LEAST && product < f64::INFINITY {
             let time = self.room / (discriminant.max(0.0).sqrt() - self.approach);
             if time > 0.0 { time } else { 0.0 }
         } else {

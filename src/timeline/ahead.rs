@@ -1,9 +1,9 @@
 //! What the next events will look at, fetched into the cache before they come.
 //!
 //! With many discs events are anywhere, and wait for memory longer than they compute. But
-//! mostly it is known which ones are next. So while others are under way there is fetched,
-//! one after the other for what the one tells of the next: what is kept of a disc, of
-//! whom it meets and of the cells about it, and of its neighbours.
+//! mostly it is known which ones are next. So while others are under way, their data are
+//! fetched in three steps, each of which tells where the next ones are: what is kept of
+//! the disc; of whom it meets, and the cells about it; how its neighbours move.
 
 use prefetch_index::prefetch_index;
 

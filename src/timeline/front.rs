@@ -73,13 +73,12 @@ impl<S: Timed> Timeline<S> {
     /// Collects the discs whose forecasts may come true no later than that
     /// with the least lower bound.
     fn collect_front(&mut self) {
-        let least = self.queue.least();
-        self.queue.collect_up_to(least, &mut self.front);
-        let first = self.forecasts[self.front[0]].as_ref();
-        let end = first.map_or(f64::NEG_INFINITY, |first| first.bounds.hi());
-        if end > least {
-            self.queue.collect_up_to(end, &mut self.front);
-        }
+        let forecasts = &self.forecasts;
+        let end = |disc: usize| {
+            let next = forecasts[disc].as_ref();
+            next.map_or(f64::NEG_INFINITY, |next| next.bounds.hi())
+        };
+        self.queue.collect_front(end, &mut self.front);
     }
 
     /// Makes one forecast of the front anew, if one no longer holds, or does

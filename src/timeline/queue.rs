@@ -1,17 +1,18 @@
 //! Which forecast comes first: a tournament tree over lower bounds of times.
 //!
 //! What is collected as the first ones mostly gets a new key before anything else is
-//! asked. So it is taken out of the tree at once, and only put back if it does not.
+//! asked. So a few of them are taken out of the tree at once.
 
 use prefetch_index::prefetch_index;
 
 /// So many keys are in one group: those of a cache line.
 const WIDTH: usize = 8;
 
-/// So many entries may be out of the tree without need.
+/// So many entries may be out of the tree.
 const FEW: usize = 16;
 
-/// The key of an empty slot, and of what is none but fills the last group of a level.
+/// The key of an empty slot; and what fills the last group of a level, where that has more
+/// places than there are slots.
 const EMPTY: f64 = f64::INFINITY;
 
 /// Keys, of which the least one is in the group a level further up.
@@ -37,7 +38,7 @@ struct Level {
 /// A key for each of a fixed number of slots; an empty slot's is infinite.
 ///
 /// A tree of minima, level by level: to change a key costs as many steps as the
-/// tree has levels that this changes, to find the least one none.
+/// tree has levels that this changes.
 #[derive(Clone, Debug)]
 pub(super) struct Queue {
     /// The slots first, a single group last.
@@ -161,7 +162,7 @@ impl Queue {
     /// Takes the next entries out of the tree until so many are, and lists their slots.
     #[inline]
     pub(super) fn look_ahead(&mut self, count: usize, found: &mut Vec<usize>) {
-        while self.taken.len() < count && self.first.key < EMPTY {
+        while self.taken.len() < count.min(FEW) && self.first.key < EMPTY {
             found.push(self.first.slot as usize);
             self.take();
             self.fetch(self.first.slot as usize);
@@ -179,30 +180,73 @@ impl Queue {
         });
     }
 
-    /// The least key of all slots but one that has been collected.
+    /// The least key of all other slots.
     pub(super) fn least_but(&self, slot: usize) -> f64 {
         let is_other = |taken: &&Entry| taken.slot as usize != slot;
-        let others = self.taken.iter().filter(is_other);
-        others.map(|entry| entry.key).fold(self.first.key, lesser)
+        let taken = self.taken.iter().filter(is_other).map(|entry| entry.key);
+        let (mut place, mut least) = (slot, taken.fold(EMPTY, lesser));
+        for level in &self.levels {
+            let mut others = level.groups[place / WIDTH];
+            others.0[place % WIDTH] = EMPTY;
+            least = lesser(least, first_of(&others).1);
+            place /= WIDTH;
+        }
+        least
+    }
+
+    /// Collects the slots that may be the first, in their order: those with keys up to
+    /// the `end` of the first one with the least key.
+    #[inline]
+    pub(super) fn collect_front(&mut self, end: impl Fn(usize) -> f64, found: &mut Vec<usize>) {
+        let least = self.least();
+        self.collect_up_to(least, found);
+        let end = found.first().map_or(least, |first| end(*first));
+        if end > least {
+            self.collect_up_to(end, found);
+        }
     }
 
     /// Collects the slots whose keys are not above a limit, in their order; none that is
     /// empty.
     #[inline]
-    pub(super) fn collect_up_to(&mut self, limit: f64, found: &mut Vec<usize>) {
-        while self.taken.len() > FEW
-            && let Some(place) = self.taken.iter().position(|taken| taken.key > limit)
-        {
-            let late = self.taken.swap_remove(place);
-            self.put(late);
+    fn collect_up_to(&mut self, limit: f64, found: &mut Vec<usize>) {
+        if self.taken.len() == FEW {
+            self.put_back(limit);
         }
-        while self.first.key <= limit && self.first.key < EMPTY {
+        while self.first.key <= limit && self.first.key < EMPTY && self.taken.len() < FEW {
             self.take();
         }
         let due = self.taken.iter().filter(|entry| entry.key <= limit);
         found.clear();
         found.extend(due.map(|entry| entry.slot as usize));
+        if self.first.key <= limit {
+            list(&self.levels, 0, limit, found);
+        }
         found.sort_unstable();
+    }
+
+    /// Puts back into the tree what is after a limit.
+    fn put_back(&mut self, limit: f64) {
+        for place in (0..self.taken.len()).rev() {
+            if self.taken[place].key > limit {
+                let late = self.taken.swap_remove(place);
+                self.put(late);
+            }
+        }
+    }
+}
+
+/// Lists the slots of a group of the last of some levels whose keys are not above a limit.
+/// No deeper than these are many.
+fn list(levels: &[Level], group: usize, limit: f64, found: &mut Vec<usize>) {
+    let Some((level, below)) = levels.split_last() else {
+        found.push(group);
+        return;
+    };
+    for (place, key) in level.groups[group].0.iter().enumerate() {
+        if *key <= limit && *key < EMPTY {
+            list(below, WIDTH * group + place, limit, found);
+        }
     }
 }
 
@@ -270,11 +314,13 @@ mod tests {
                 let expected: Vec<_> = (0..slots).filter(is_found).collect();
                 prop_assert_eq!(&found, &expected);
                 prop_assert_eq!(queue.least(), least);
-                if let Some(&slot) = found.first() {
-                    let others = list.iter().enumerate().filter(|(other, _)| *other != slot);
-                    let least = others.fold(f64::INFINITY, |least, (_, key)| least.min(*key));
-                    prop_assert_eq!(queue.least_but(slot), least);
-                }
+                let others = list.iter().enumerate().filter(|(other, _)| *other != slot);
+                let others = others.fold(f64::INFINITY, |least, (_, key)| least.min(*key));
+                prop_assert_eq!(queue.least_but(slot), others);
+                queue.collect_front(|slot| list[slot] + 1.0, &mut found);
+                let is_found = |slot: &usize| list[*slot] <= least + 1.0 && list[*slot] < f64::INFINITY;
+                let expected: Vec<_> = (0..slots).filter(is_found).collect();
+                prop_assert_eq!(&found, &expected);
             }
         }
     }

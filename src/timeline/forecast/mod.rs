@@ -108,6 +108,9 @@ impl Forecaster {
     #[inline]
     pub(super) fn fetch_neighbours<S: Kernel>(&mut self, flights: &Flights<S>, disc: usize) {
         let near = self.neighbours.of(disc);
+        if near.is_everything() {
+            return;
+        }
         near.list_discs(&flights.world, &mut self.near);
         for &other in &self.near {
             flights.fetch_motion(other as usize);

@@ -6,7 +6,8 @@
 //! long they surely stay apart.
 //!
 //! All are looked at where they are now, at the time of the latest impact: what was to be
-//! met before has been. That is further on than where the formulas start from, which is
+//! met before has been, or is still as close as they can be told apart, for no more than
+//! the rounding of a time has passed since. That is further on than where the formulas start from, which is
 //! where the later one of two discs has changed; and so their distance there may be
 //! larger. But since it is now at least 4 · 10⁻⁸ of the largest one that there is, it is
 //! larger by no more than a factor of 5 · 10⁷, and what the formulas round, 2⁻⁵³ of it, is
@@ -196,6 +197,100 @@ impl Scan {
             first,
             second,
             all: &self.sighted,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::kernel::Time;
+    use crate::scalar::{Filtered, Number};
+    use crate::scene::{Disc, Scene};
+    use crate::world::World;
+
+    /// Two discs that meet a `delay` after now or pass each other closely, told from where
+    /// each was some `waits` before.
+    #[derive(Clone, Debug)]
+    struct Meeting {
+        centre: [f64; 2],
+        angle: f64,
+        radii: [f64; 2],
+        velocities: [[f64; 2]; 2],
+        waits: [f64; 2],
+        delay: f64,
+    }
+
+    fn meeting() -> impl Strategy<Value = Meeting> {
+        let far = prop::sample::select(vec![0.0, 10.0, 1e6]);
+        let wait = || prop::sample::select(vec![0.0, 0.3, 7.0, 1e4]);
+        let delay = (-30.0..2.0_f64).prop_map(f64::exp2);
+        let speed = || [-3.0..3.0_f64, -3.0..3.0_f64];
+        let numbers = (
+            [far.clone(), far],
+            0.0..7.0_f64,
+            [0.1..2.0_f64, 0.1..2.0_f64],
+        );
+        (numbers, [speed(), speed()], [wait(), wait()], delay).prop_map(
+            |((centre, angle, radii), velocities, waits, delay)| Meeting {
+                centre,
+                angle,
+                radii,
+                velocities,
+                waits,
+                delay,
+            },
+        )
+    }
+
+    /// Now.
+    const NOW: f64 = 2e4;
+
+    /// The discs in flight, each at its own time.
+    fn flights<S: Kernel<Precision = ()>>(meeting: &Meeting) -> Flights<S> {
+        let normal = [meeting.angle.cos(), meeting.angle.sin()];
+        let mut scene = Scene::builder("test").frame(1, 1);
+        for (place, side) in [(0, -1.0), (1, 1.0)] {
+            let flown = meeting.delay + meeting.waits[place];
+            let velocity = meeting.velocities[place];
+            let position = [0, 1].map(|axis| {
+                let contact = meeting.centre[axis] + side * meeting.radii[place] * normal[axis];
+                contact - velocity[axis] * flown
+            });
+            scene = scene.disc(Disc::at(position, meeting.radii[place]).velocity(velocity));
+        }
+        let scene = scene.build().expect("a valid scene");
+        let mut flights = Flights::new(World::<S>::new(&scene, ()));
+        for (start, wait) in flights.starts.iter_mut().zip(meeting.waits) {
+            let since = Number::try_from(NOW - wait).expect("a number");
+            start.since = S::from_number(&since, ());
+            start.turn = (NOW - wait) as u64;
+        }
+        flights
+    }
+
+    /// Whether what the formulas find to be met after now is seen, and in time.
+    fn is_seen<S: Kernel<Precision = ()>>(meeting: &Meeting) -> bool {
+        let flights = flights::<S>(meeting);
+        let mut scan = Scan::new(&flights);
+        scan.now = NOW;
+        let Ok(Some(met)) = flights.meet(0, Obstacle::Disc(1)) else {
+            return true;
+        };
+        let time = met.time.value().to_f64();
+        // Twice, so that it has to be compared.
+        let view = scan.look(&flights, 0, &mut vec![1, 1]);
+        time <= NOW || view.first.other == 1 && view.first.earliest <= time
+    }
+
+    proptest! {
+        /// Also where the formulas start from long ago, and far away.
+        #[test]
+        fn what_is_met_is_seen(meeting in meeting()) {
+            prop_assert!(is_seen::<f64>(&meeting));
+            prop_assert!(is_seen::<Filtered>(&meeting));
         }
     }
 }

@@ -97,7 +97,7 @@ impl Cells {
         prefetch_index(&self.few, cell as usize);
     }
 
-    /// Lists the discs in some cells. Without branches on how many there are, for
+    /// Adds to a list the discs in some cells. Without branches on how many there are, for
     /// that is as good as random.
     #[inline]
     pub(super) fn list<const N: usize>(&self, cells: [u32; N], list: &mut Vec<u32>) {

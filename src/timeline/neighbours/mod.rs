@@ -226,6 +226,12 @@ impl Surroundings<'_> {
         }
     }
 
+    /// Whether nothing has been left out.
+    #[inline]
+    pub(super) fn is_everything(&self) -> bool {
+        self.0.is_none()
+    }
+
     /// Lists the discs.
     #[inline]
     pub(super) fn list_discs<S: Kernel>(&self, world: &World<S>, list: &mut Vec<u32>) {

@@ -1,6 +1,6 @@
 //! Which discs of a world are of about one size.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use super::grid::SIZE;
 use crate::body::Disc;
@@ -9,9 +9,13 @@ use crate::kernel::Kernel;
 /// Discs that are smaller by this may get smaller cells.
 const RATIO: f64 = 4.0;
 
-/// So many discs in a cell, on the average of those that are not empty, are worth
-/// smaller cells.
-const CROWD: usize = 2;
+/// So many discs in the cell of a disc, on the average of all discs, are worth smaller
+/// cells.
+const CROWD: usize = 3;
+
+/// The largest size of a cell that has room, in the least sizes: discs that get together
+/// later on must not be too many in one.
+const ROOM: f64 = 16.0;
 
 /// So many bodies, on the average, are in a cell of those that have room: with fewer, discs
 /// leave it more often, and with more there are too many to look at.
@@ -66,14 +70,18 @@ pub(super) fn size_of_cells(
     let least = SIZE * largest;
     let bodies = spots.len() + walls;
     let size = (width * height * SHARE / bodies as f64).sqrt();
-    if size > least && size.is_finite() && !are_crowded(spots, size) {
-        size
-    } else {
-        least
+    let mut size = size.min(ROOM * least);
+    while size > least && are_crowded(spots, size) {
+        size /= 2.0;
     }
+    size.max(least)
 }
 
 fn are_crowded(spots: &[Spot], size: f64) -> bool {
-    let cells: HashSet<[u64; 2]> = spots.iter().map(|spot| spot.cell(size)).collect();
-    spots.len() > CROWD * cells.len()
+    let mut cells = HashMap::<[u64; 2], usize>::new();
+    for spot in spots {
+        *cells.entry(spot.cell(size)).or_default() += 1;
+    }
+    let in_cells: usize = cells.values().map(|count| count * count).sum();
+    in_cells > CROWD * spots.len()
 }

@@ -230,12 +230,8 @@ impl<S: Kernel> Periodic<S> {
     /// Collects the discs whose forecasts may come true no later than that with the
     /// least lower bound.
     fn collect_front(&mut self) {
-        let least = self.queue.least();
-        self.queue.collect_up_to(least, &mut self.front);
-        let [_, end] = self.forecasts[self.front[0]].bounds();
-        if end > least {
-            self.queue.collect_up_to(end, &mut self.front);
-        }
+        let end = |disc: usize| self.forecasts[disc].bounds()[1];
+        self.queue.collect_front(end, &mut self.front);
     }
 
     /// Makes one forecast of the front anew, if one no longer holds or goes not far
