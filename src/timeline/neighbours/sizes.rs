@@ -1,4 +1,4 @@
-//! Which discs of a world are of about one size.
+//! Which discs of a world are of about one size, and how large cells for these are.
 
 use std::collections::HashMap;
 
@@ -13,9 +13,9 @@ const RATIO: f64 = 4.0;
 /// cells.
 const CROWD: usize = 3;
 
-/// The largest size of a cell that has room, in the least sizes: discs that get together
-/// later on must not be too many in one.
-const ROOM: f64 = 16.0;
+/// A cell is at most so many times as large as discs that fill the plane need: if they get
+/// together later on, they must not be too many in one.
+const MOST: f64 = 16.0;
 
 /// So many bodies, on the average, are in a cell of those that have room: with fewer, discs
 /// leave it more often, and with more there are too many to look at.
@@ -70,7 +70,7 @@ pub(super) fn size_of_cells(
     let least = SIZE * largest;
     let bodies = spots.len() + walls;
     let size = (width * height * SHARE / bodies as f64).sqrt();
-    let mut size = size.min(ROOM * least);
+    let mut size = size.min(MOST * least);
     while size > least && are_crowded(spots, size) {
         size /= 2.0;
     }
